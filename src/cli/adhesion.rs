@@ -1,31 +1,28 @@
 //! What a summary says about adhesion.
 
+use super::output::{TextRow, row};
 use super::units::Units;
 use asperity::job::AdhesionOutcome;
 use asperity::quantity::number_in_words;
 use std::io::{self, Write};
 
 /// The part of the energy lost in jumps with rows from which the summary tells that there were smaller ones.
-const SMALLER: f64 = 1e-3;
+const UNTOLD_JUMP_ENERGY: f64 = 1e-3;
 
 /// Numbers of the attraction, names and values for reading.
-pub(crate) fn rows(it: &AdhesionOutcome, units: Units) -> Vec<(String, String)> {
+pub(crate) fn rows(it: &AdhesionOutcome, units: Units) -> Vec<TextRow> {
     let scales = &it.scales;
     let number = |value: Option<f64>| value.map_or("-".into(), number_in_words);
     let zone = format!("{}, {} spacings", units.length(scales.process_zone), number_in_words(scales.spacings));
-    [
-        ("work of adhesion", units.energy_per_area(it.work)),
-        ("range", units.length(it.range)),
-        ("process zone", zone),
-        ("Tabor's number", number(scales.tabor)),
-        ("Maugis' number", number(scales.maugis)),
-        (
-            "Pastewka-Robbins",
-            format!("{} (rough surfaces are expected to stick below 1)", number_in_words(scales.pastewka_robbins)),
-        ),
+    let ratio = number_in_words(scales.pastewka_robbins);
+    vec![
+        row("work of adhesion", units.energy_per_area(it.work)),
+        row("range", units.length(it.range)),
+        row("process zone", zone),
+        row("Tabor's number", number(scales.tabor)),
+        row("Maugis' number", number(scales.maugis)),
+        row("Pastewka-Robbins", format!("{ratio} (rough surfaces are expected to stick below 1)")),
     ]
-    .map(|(name, value)| (name.to_owned(), value))
-    .into()
 }
 
 /// The end of the summary: pull-off, jumps and energies.
@@ -38,7 +35,7 @@ pub(crate) fn write_totals(it: &AdhesionOutcome, units: Units, out: &mut dyn Wri
     }
     let jumps = units.energy_per_area(totals.lost_in_jumps);
     let shown: f64 = totals.jumps.iter().map(|jump| jump.energy).sum();
-    let smaller = if totals.lost_in_jumps - shown > SMALLER * shown { " and smaller ones" } else { "" };
+    let smaller = if totals.lost_in_jumps - shown > UNTOLD_JUMP_ENERGY * shown { " and smaller ones" } else { "" };
     let count = match totals.jumps.len() {
         1 => format!("1 jump{smaller}"),
         count => format!("{count} jumps{smaller}"),

@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Fields that a claim takes while it is assessed: its own, heights, and those of a half-space, a contact and a trial.
-const FIELDS: f64 = 12.0;
+const FIELDS_IN_MEMORY: f64 = 12.0;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -79,7 +79,7 @@ impl Certify {
         let setup = table.setup()?;
         check_single(&setup)?;
         let grid = setup.check()?;
-        Cost::from_fields(&grid, FIELDS).check("a certificate")?;
+        Cost::from_fields(&grid, FIELDS_IN_MEMORY).check("a certificate")?;
         if !grid.is_line() && !["npz", ""].contains(&self.ending().as_str()) {
             return usage(format!(
                 "a .{} can be written for a line only: for a surface give a .npz, or use --record",

@@ -1,10 +1,10 @@
 //! The verdict on the result of another code, as text and as JSON.
 
 use super::finding::Finding;
-use super::output::write_rows;
+use super::output::{TextRow, row, write_rows};
 use super::units::Units;
 use asperity::contact::Load;
-use asperity::foreign::{Assessment, Disagreement, GivenField, Mistake, Spot};
+use asperity::foreign::{Assessment, GivenField, Mistake, Spot};
 use asperity::grid::Grid;
 use asperity::setup::Setup;
 use serde::Serialize;
@@ -12,13 +12,13 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 /// Rows on the contact that do not apply to the result of another code, or that are shown in another form.
-const LEFT_OUT: [&str; 3] = ["work", "penetration", "load error"];
+const OTHER_ROWS: [&str; 3] = ["work", "penetration", "load error"];
 /// The name of the mistake that is a wrong load.
-const LOAD: &str = "load";
+const LOAD_MISTAKE: &str = "load";
 /// A relative error of the load above this value is reported.
 const LARGEST_LOAD_ERROR: f64 = 1e-6;
 /// Errors of a load, and shares of tension, that are rounding.
-const ROUNDING: f64 = 1e-12;
+const ROUNDING_ERROR: f64 = 1e-12;
 
 /// All that is known of a result.
 #[derive(Serialize)]
@@ -57,18 +57,34 @@ impl ClaimReport {
         let Self { quantity, file, setup, .. } = self;
         let title = setup.surface.title(&self.grid);
         writeln!(out, "{title}, {}: the {quantity} of {} is {holds}", points(&self.grid), file.display())?;
-        let is_load = |mistake: &&Mistake| mistake.errors == [LOAD];
-        let others =
-            self.findings.iter().filter(|it| !is_load(it)).map(|mistake| ("finding", mistake.sentence.clone()));
-        let has_other_load = self.findings.is_empty() || self.findings.iter().any(|it| is_load(&it));
-        let load = self.other_load().filter(|_| !self.holds && has_other_load);
-        let unexplained = (!self.holds && self.findings.is_empty() && load.is_none())
-            .then(|| "no common mistake explains it: the result is not converged, or it solves another problem".into());
-        let mistakes = others.chain([load, unexplained].into_iter().flatten().map(|words| ("finding", words)));
-        let own = mistakes.chain(self.own());
-        let found = self.finding.rows(self.units).into_iter().chain(self.finding.details(self.units));
-        let numbers = found.filter(|(name, _)| !LEFT_OUT.contains(&name.as_str()));
-        write_rows(own.map(|(name, value)| (name.to_owned(), value)).chain(numbers), out)
+        let mut rows = self.mistakes();
+        rows.extend(self.own());
+        let numbers = [self.finding.rows(self.units), self.finding.details(self.units)].concat();
+        rows.extend(numbers.into_iter().filter(|(name, _)| !OTHER_ROWS.contains(&name.as_str())));
+        write_rows(rows, out)
+    }
+
+    /// Why the result does not hold, as far as common mistakes explain it.
+    fn mistakes(&self) -> Vec<TextRow> {
+        let is_load = |mistake: &Mistake| mistake.errors == [LOAD_MISTAKE];
+        let mut rows = Vec::new();
+        for mistake in self.findings.iter().filter(|mistake| !is_load(mistake)) {
+            rows.push(row("finding", &*mistake.sentence));
+        }
+        if self.holds {
+            return rows;
+        }
+        // A wrong load is told with both pressures, which says more than the sentence of the mistake. Where other mistakes explain the result, a load
+        // that differs is their consequence.
+        if let Some(load) = self.other_load()
+            && (self.findings.is_empty() || self.findings.iter().any(is_load))
+        {
+            rows.push(row("finding", load));
+        } else if self.findings.is_empty() {
+            let words = "no common mistake explains it: the result is not converged, or it solves another problem";
+            rows.push(row("finding", words));
+        }
+        rows
     }
 
     /// The load that the pressures carry, where another one is prescribed.
@@ -79,62 +95,59 @@ impl ClaimReport {
     }
 
     /// What is wrong with the result, and where.
-    fn own(&self) -> Vec<(&'static str, String)> {
-        let Assessment { given, load_error, tension, densest, deepest, pressed, closed, apart, unpressed } =
-            &self.assessment;
+    fn own(&self) -> Vec<TextRow> {
+        let found = &self.assessment;
         let place = |node| place(&self.grid, node, self.units);
-        let mut rows = vec![
-            ("source", self.source.clone()),
-            ("contact modulus E*", self.units.pressure(self.contact_modulus)),
-            (
-                "prescribed",
-                match self.prescribed {
-                    Some(load) if *load_error > ROUNDING => {
-                        format!("{}, with a relative error of {load_error:.1e}", self.units.load(load))
-                    }
-                    Some(load) => self.units.load(load),
-                    None => format!("nothing: the load is that of the {}", self.quantity),
-                },
-            ),
-        ];
-        if tension.nodes > 0 && tension.share <= ROUNDING {
-            rows.push((
-                "tension",
-                format!("rounding errors only: {} nodes, {:.1e} of all pressure", tension.nodes, tension.share),
-            ));
-        } else if tension.nodes > 0 {
-            let worst = place(tension.node);
-            rows.push((
-                "tension",
-                format!(
-                    "{} nodes, {:.1e} of all pressure, down to {} at {worst}",
-                    tension.nodes,
-                    tension.share,
-                    self.units.pressure(tension.lowest)
-                ),
-            ));
-            let stand_in = match tension.share < 1.0 {
-                true => "for the numbers below, tension is set to zero and the load is restored",
-                false => "there is no compression; the numbers below are for a uniform pressure",
-            };
-            rows.push(("certificate as given", format!("{}: {stand_in}", given.eta)));
-        }
-        rows.extend([
-            (
-                "error in energy",
-                format!("largest density at {}, {:.2} % of the total", place(densest.node), 100.0 * densest.value),
-            ),
-            ("penetration", format!("{:.1e} rms heights at {}", deepest.value, place(deepest.node))),
-            ("contact", format!("{pressed} nodes have pressure, {closed} have a closed gap")),
-        ]);
-        let disagree = |it: &Disagreement| {
-            it.worst.map(|Spot { node, value }| {
-                format!("{} nodes, the worst at {}, with a gap of {value:.1e} rms heights", it.nodes, place(node))
-            })
+        let prescribed = match self.prescribed {
+            Some(load) if found.load_error > ROUNDING_ERROR => {
+                format!("{}, with a relative error of {:.1e}", self.units.load(load), found.load_error)
+            }
+            Some(load) => self.units.load(load),
+            None => format!("nothing: the load is that of the {}", self.quantity),
         };
-        rows.extend(disagree(apart).map(|words| ("pressure across a gap", words)));
-        rows.extend(disagree(unpressed).map(|words| ("overlap, no pressure", words)));
+        let mut rows = vec![
+            row("source", &*self.source),
+            row("contact modulus E*", self.units.pressure(self.contact_modulus)),
+            row("prescribed", prescribed),
+        ];
+        rows.extend(self.tension());
+        let (densest, deepest) = (&found.densest, &found.deepest);
+        let energy = format!("largest density at {}, {:.2} % of the total", place(densest.node), 100.0 * densest.value);
+        rows.push(row("error in energy", energy));
+        rows.push(row("penetration", format!("{:.1e} rms heights at {}", deepest.value, place(deepest.node))));
+        let contact = format!("{} nodes have pressure, {} have a closed gap", found.pressed, found.closed);
+        rows.push(row("contact", contact));
+        let disagreements = [("pressure across a gap", &found.apart), ("overlap, no pressure", &found.unpressed)];
+        for (name, disagreement) in disagreements {
+            if let Some(Spot { node, value }) = disagreement.worst {
+                let (nodes, place) = (disagreement.nodes, place(node));
+                let words = format!("{nodes} nodes, the worst at {place}, with a gap of {value:.1e} rms heights");
+                rows.push(row(name, words));
+            }
+        }
         rows
+    }
+
+    /// The nodes that pull, and what stands in for them in the other numbers.
+    fn tension(&self) -> Vec<TextRow> {
+        let tension = &self.assessment.tension;
+        let (nodes, share) = (tension.nodes, tension.share);
+        if nodes == 0 {
+            return Vec::new();
+        }
+        if share <= ROUNDING_ERROR {
+            let words = format!("rounding errors only: {nodes} nodes, {share:.1e} of all pressure");
+            return vec![row("tension", words)];
+        }
+        let lowest = self.units.pressure(tension.lowest);
+        let worst = place(&self.grid, tension.node, self.units);
+        let words = format!("{nodes} nodes, {share:.1e} of all pressure, down to {lowest} at {worst}");
+        let stand_in = match share < 1.0 {
+            true => "for the numbers below, tension is set to zero and the load is restored",
+            false => "there is no compression; the numbers below are for a uniform pressure",
+        };
+        let certificate = format!("{}: {stand_in}", self.assessment.given.eta);
+        vec![row("tension", words), row("certificate as given", certificate)]
     }
 }
 

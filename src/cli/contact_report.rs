@@ -1,7 +1,7 @@
 //! The report of one contact.
 
 use super::finding::Finding;
-use super::output::write_rows;
+use super::output::{TextRow, row, write_rows};
 use super::outputs::Outputs;
 use super::picture;
 use super::problem_summary::ProblemSummary;
@@ -89,11 +89,17 @@ impl SolveReport for ContactReport {
 
     fn write_text(&self, is_verbose: bool, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "{}: {}", self.subject.line(), self.finding.status)?;
-        let units = self.units;
-        let slip = self.slip.iter().flat_map(|it| it.rows(units));
-        let results = self.finding.rows(units).into_iter().chain(self.size()).chain(slip);
-        let details = if is_verbose { self.finding.details(units) } else { Vec::new() };
-        write_rows(results.chain(self.subject.rows(units, is_verbose)).chain(details), out)?;
+        // results first, then what they belong to
+        let mut rows = self.finding.rows(self.units);
+        rows.extend(self.size());
+        if let Some(slip) = &self.slip {
+            rows.extend(slip.rows(self.units));
+        }
+        rows.extend(self.subject.rows(self.units, is_verbose));
+        if is_verbose {
+            rows.extend(self.finding.details(self.units));
+        }
+        write_rows(rows, out)?;
         write_diagnosis(self.diagnosis.as_ref(), out)
     }
 }
@@ -101,22 +107,26 @@ impl SolveReport for ContactReport {
 impl ContactReport {
     /// How large the contact is: on a line its half-width, or the width of all patches together; on a surface its area, and its radius where theory knows
     /// one.
-    fn size(&self) -> Option<(String, String)> {
+    fn size(&self) -> Option<TextRow> {
         let (it, units) = (&self.finding.observables, self.units);
-        let size = it.resolved_area()? * self.subject.size.iter().product::<f64>();
+        let cell: f64 = self.subject.size.iter().product();
+        // none where nothing touches either
+        let size = it.resolved_area().filter(|area| *area > 0.0)? * cell;
         let exact = self.finding.exact_radius(units);
         let beside = exact.as_ref().map_or(String::new(), |exact| format!("   {exact}"));
-        let (name, size) = match (self.subject.size.len(), it.patches) {
-            (1, 1) => ("half-width of the contact", format!("{}{beside}", units.length(0.5 * size))),
-            (1, patches) => ("width of the contact", format!("{} in {patches} patches", units.length(size))),
-            (_, 1) if exact.is_some() => {
-                let radius = units.length((size / PI).sqrt());
-                ("area of the contact", format!("{}, radius {radius}{beside}", units.area(size)))
-            }
-            _ => ("area of the contact", units.area(size)),
+        let is_line = self.subject.size.len() == 1;
+        let (name, mut words) = match (is_line, it.patches) {
+            (true, 1) => ("half-width of the contact", units.length(0.5 * size) + &beside),
+            (true, patches) => ("width of the contact", format!("{} in {patches} patches", units.length(size))),
+            (false, _) => ("area of the contact", units.area(size)),
         };
-        let images = if self.setup.surface.prepare.mirror.is_some() { ", with its mirror images" } else { "" };
-        (it.relative_area > 0.0).then(|| (name.to_owned(), format!("{size}{images}")))
+        if !is_line && it.patches == 1 && exact.is_some() {
+            words += &format!(", radius {}{beside}", units.length((size / PI).sqrt()));
+        }
+        if self.setup.surface.prepare.mirror.is_some() {
+            words += ", with its mirror images";
+        }
+        Some(row(name, words))
     }
 }
 

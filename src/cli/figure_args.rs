@@ -9,7 +9,7 @@ use clap::Args;
 /// Heading of these flags.
 const FIGURE: &str = "Figure (of a file .svg, .pdf or .png)";
 /// Widths on paper that have names.
-const NAMED: [(&str, f64); 2] = [("column", 0.085), ("page", 0.17)];
+const NAMED_WIDTHS: [(&str, f64); 2] = [("column", 0.085), ("page", 0.17)];
 
 /// How pictures are drawn.
 #[derive(Args, Default)]
@@ -68,7 +68,7 @@ impl FigureArgs {
 }
 
 fn size(text: &str) -> Result<[Option<f64>; 2], String> {
-    let named = NAMED.iter().find(|(name, _)| *name == text).map(|(_, width)| *width);
+    let named = NAMED_WIDTHS.iter().find(|(name, _)| *name == text).map(|(_, width)| *width);
     let length = |text: &str| length_of(text).ok_or_else(|| format!("`{text}` is not a length: give one such as 85mm"));
     match (named, text.split_once(',')) {
         (Some(width), _) => Ok([Some(width), None]),

@@ -11,8 +11,8 @@ use asperity::study::{SeedMean, first_changed_row};
 use std::path::Path;
 
 /// The column of the seeds in a table of a study, and how columns begin of what is varied along a curve.
-const SEED: &str = "surface.seed";
-const ALONG: [&str; 2] = ["load.", "path."];
+const SEED_COLUMN: &str = "surface.seed";
+const LOADING_COLUMNS: [&str; 2] = ["load.", "path."];
 
 /// What is drawn along the horizontal axis of a curve.
 #[derive(Debug, Clone, Copy)]
@@ -165,12 +165,13 @@ struct StudyColumns<'a> {
 
 impl<'a> StudyColumns<'a> {
     fn new(columns: &'a [TextColumn], x: Abscissa<'_>) -> Self {
-        let is_loading = |name: &str| ALONG.iter().any(|beginning| name.starts_with(beginning));
+        let is_loading = |name: &str| LOADING_COLUMNS.iter().any(|beginning| name.starts_with(beginning));
         let is_along = |column: &TextColumn| match x {
             Abscissa::Quantity(_) => column.name == "load_number" || is_loading(&column.name),
             Abscissa::Listed(_) => x.is(column),
         };
-        let is_varied = |column: &TextColumn| column.name.contains('.') && column.name != SEED && !is_along(column);
+        let is_varied =
+            |column: &TextColumn| column.name.contains('.') && column.name != SEED_COLUMN && !is_along(column);
         let differs = |column: &TextColumn| column.words.windows(2).any(|pair| pair[0].text != pair[1].text);
         Self {
             varied: columns.iter().filter(|column| is_varied(column) && differs(column)).collect(),

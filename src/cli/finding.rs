@@ -1,6 +1,7 @@
 //! The findings of a solve under one load: status, observables, and the exact solution where there is one.
 
 use super::flow::FlowFinding;
+use super::output::{TextRow, row};
 use super::units::{Units, significant};
 use asperity::contact::{Contact, Load, Observables, Plasticity, Quantity, ResultClaim, Status, Unit};
 use asperity::history::Sliding;
@@ -9,16 +10,13 @@ use asperity::theory::Exact;
 use serde::{Serialize, Serializer};
 
 /// Values below this one are written with powers of ten.
-const SMALL: f64 = 1e-3;
+const LEAST_PLAIN_NUMBER: f64 = 1e-3;
 
 /// The words beside `kappa_r` of a contact with a hardness whose surface has yielded somewhere.
 const FLATTENED: &str = "   by the gradient before the surface is flattened: do not compare it with elastic contacts";
 
 /// The share of edges given by the shape is reported above this value.
-const MANY_OF_SHAPE: f64 = 0.05;
-
-/// A line of a summary: a name, and a value in words.
-pub(crate) type TextRow = (String, String);
+const LARGEST_UNTOLD_SHARE_OF_SHAPE: f64 = 0.05;
 
 /// The numbers of a contact under its load.
 #[derive(Serialize)]
@@ -178,10 +176,9 @@ impl Finding {
         format!("   {} {}", self.exact_words(), significant(exact))
     }
 
-    /// The words before a value of theory. The solution of a contact that stands alone is not exact where the boundary is periodic, which adds neighbours.
+    /// The words before a value of the exact solution.
     fn exact_words(&self) -> &'static str {
-        let is_apart = self.has_neighbours && self.exact.as_ref().is_some_and(|exact| exact.name.ends_with("isolated"));
-        if is_apart { "without neighbouring cells" } else { "exact" }
+        self.exact.as_ref().map_or("exact", |exact| exact_words(exact.name, self.has_neighbours))
     }
 
     /// The radius of the contact in the exact solution, or half its width on a line, in words; none where the contact is not one circle or strip.
@@ -234,7 +231,7 @@ impl Finding {
             words += &format!(", {} of the contact in patches with too few nodes", percent(it.unresolved_share));
         }
         words += ")";
-        if it.edges_of_shape > MANY_OF_SHAPE {
+        if it.edges_of_shape > LARGEST_UNTOLD_SHARE_OF_SHAPE {
             words += &format!(", {} of the edges given by the shape", percent(it.edges_of_shape));
         }
         words
@@ -254,9 +251,10 @@ impl Finding {
     }
 }
 
-/// A name and a value for reading.
-fn row(name: &str, value: impl Into<String>) -> TextRow {
-    (name.to_owned(), value.into())
+/// The words before a value of a solution with a name, of [`Exact`]. The solution of a contact that stands alone is not exact where the boundary is
+/// periodic, which adds neighbours.
+pub(crate) fn exact_words(name: &str, has_neighbours: bool) -> &'static str {
+    if has_neighbours && name.ends_with("isolated") { "without neighbouring cells" } else { "exact" }
 }
 
 /// A quantity with resolved edges, and its error by the grid: as many digits as mean something.
@@ -269,7 +267,7 @@ fn with_error(resolved: Option<f64>, relative_error: f64) -> String {
     // one digit of the error, of a small one two
     let place = error.log10().floor();
     let places = -place + f64::from(u8::from(error < 2.0 * 10f64.powf(place)));
-    match value >= SMALL {
+    match value >= LEAST_PLAIN_NUMBER {
         true => format!("{value:.0$} ± {error:.0$}", places.clamp(0.0, 12.0) as usize),
         false => format!("{value:.0$e} ± {error:.1e}", (places + value.log10().floor()).clamp(0.0, 12.0) as usize),
     }

@@ -15,7 +15,7 @@ use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
 /// The array of an archive that makes it a result.
-const SETUP: &str = "setup";
+const SETUP_ARRAY: &str = "setup";
 
 /// Which flags of a setup a command has, and their names.
 pub(crate) trait Extent {
@@ -67,7 +67,7 @@ impl Extent for OfProblem {
 
     fn takes(key: &Key) -> bool {
         let is_goal = ["tolerance", "pressure-tolerance"].contains(&key.flag);
-        is_goal || !OF_A_SOLVE.contains(&key.section()) && !key.is_of_drive()
+        is_goal || !SOLVE_SECTIONS.contains(&key.section()) && !key.is_of_drive()
     }
 
     fn name(key: &'static Key) -> &'static str {
@@ -102,7 +102,7 @@ impl Extent for OfPatches {
 }
 
 /// Sections besides those of the drives that describe how a contact is solved, or what follows it.
-const OF_A_SOLVE: [&str; 5] = ["friction", "path", "flow", "solver", "stop"];
+const SOLVE_SECTIONS: [&str; 5] = ["friction", "path", "flow", "solver", "stop"];
 
 /// A scene and the flags that are laid over it.
 pub(crate) struct SceneArgs<E> {
@@ -193,7 +193,8 @@ fn read(path: &Path) -> Result<SetupTable> {
 
 /// Whether a file is an archive with a setup. A result that is damaged is no file of heights.
 fn has_setup(path: &Path) -> bool {
-    has_field(path, SETUP).unwrap_or_else(|_| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npz")))
+    has_field(path, SETUP_ARRAY)
+        .unwrap_or_else(|_| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npz")))
 }
 
 /// Whether the name of a file is that of a scene, a summary or a recording, independent of its content. An archive may

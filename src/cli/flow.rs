@@ -1,5 +1,6 @@
 //! The rows of a summary about flow through a contact: leakage and conductance.
 
+use super::output::{TextRow, row};
 use super::units::{Units, significant};
 use asperity::contact::Quantity;
 use asperity::flow::FlowAxis;
@@ -28,40 +29,56 @@ impl FlowFinding {
     /// The flow through the gap, from the quantities of a state; none where the flow was not asked for.
     pub(crate) fn from_numbers(numbers: &[(Quantity, f64)]) -> Option<Self> {
         let get = |quantity: Quantity| numbers.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value);
-        let is_finite = |it: &f64| it.is_finite();
-        let per_area = get(Quantity::ConductancePerArea);
         let along: Vec<AxisFlow> = FlowAxis::ALL.into_iter().filter_map(|axis| AxisFlow::find(axis, get)).collect();
-        (!along.is_empty() || per_area.is_some()).then(|| Self {
+        let conductance = get(Quantity::ConductancePerArea);
+        if along.is_empty() && conductance.is_none() {
+            return None;
+        }
+        // JSON has no infinity, so that full contact has a flag in place of a number
+        let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
+        Some(Self {
             along,
-            conductance_per_area: per_area.filter(is_finite),
-            conductance_times_resistivity: get(Quantity::ConductanceTimesResistivity).filter(is_finite),
-            is_unconstricted: per_area.is_some_and(f64::is_infinite),
+            conductance_per_area: finite(conductance),
+            conductance_times_resistivity: finite(get(Quantity::ConductanceTimesResistivity)),
+            is_unconstricted: conductance.is_some_and(f64::is_infinite),
         })
     }
 
     /// Names and values for reading.
-    pub(crate) fn rows(&self, units: Units) -> Vec<(String, String)> {
-        let along = self.along.iter().map(|it| {
-            let said = match it.leakage {
-                [_, 0.0] => "nothing, the contact seals".to_owned(),
-                [lower, upper] if it.is_unknown() => {
-                    let [least, most] = [lower, upper].map(|cube| units.length(cube.cbrt()));
-                    format!("not known: as between plates {least} to {most} apart")
-                }
-                [lower, upper] => format!(
-                    "as between plates {} apart (bounds within {:.0e})",
-                    units.length(it.hydraulic_gap),
-                    (upper - lower) / upper,
-                ),
+    pub(crate) fn rows(&self, units: Units) -> Vec<TextRow> {
+        let mut rows = Vec::new();
+        for flow in &self.along {
+            let mut words = leakage(flow, units);
+            if flow.contact_percolates {
+                words += "; the contact connects these sides";
+            }
+            rows.push(row(&format!("leaks along {}", flow.axis.name()), words));
+        }
+        if let Some(conductance) = self.conductance_per_area {
+            let words = match units.conductance {
+                Some(unit) => format!("{} {unit}", number_in_words(conductance)),
+                None => significant(conductance),
             };
-            let joined = if it.contact_percolates { "; the contact connects these sides" } else { "" };
-            (format!("leaks along {}", it.axis.name()), said + joined)
-        });
-        let per_area = self.conductance_per_area.map(|it| match units.conductance {
-            Some(unit) => format!("{} {unit}", number_in_words(it)),
-            None => significant(it),
-        });
-        let per_area = per_area.or(self.is_unconstricted.then(|| "infinite, since all nodes touch".to_owned()));
-        along.chain(per_area.map(|it| ("conductance per area".to_owned(), it))).collect()
+            rows.push(row("conductance per area", words));
+        } else if self.is_unconstricted {
+            rows.push(row("conductance per area", "infinite, since all nodes touch"));
+        }
+        rows
+    }
+}
+
+/// How much leaks along an axis, as the distance of two parallel plates that leak as much.
+fn leakage(flow: &AxisFlow, units: Units) -> String {
+    match flow.leakage {
+        [_, 0.0] => "nothing, the contact seals".to_owned(),
+        [lower, upper] if flow.is_unknown() => {
+            // the flow between plates grows with the cube of their distance
+            let [least, most] = [lower, upper].map(|leakage| units.length(leakage.cbrt()));
+            format!("not known: as between plates {least} to {most} apart")
+        }
+        [lower, upper] => {
+            let distance = units.length(flow.hydraulic_gap);
+            format!("as between plates {distance} apart (bounds within {:.0e})", (upper - lower) / upper)
+        }
     }
 }

@@ -8,8 +8,8 @@ use asperity::surface::AbbottCurve;
 use std::f64::consts::TAU;
 
 /// Classes of heights, and points of the material ratio curve.
-const CLASSES: usize = 60;
-const POINTS: usize = 400;
+const HEIGHT_CLASSES: usize = 60;
+const RATIO_CURVE_POINTS: usize = 400;
 /// Percent of a share.
 const PERCENT: f64 = 100.0;
 
@@ -17,13 +17,13 @@ const PERCENT: f64 = 100.0;
 pub(crate) fn density(curve: &AbbottCurve, units: Units) -> Panel {
     let [low, high] = ends(curve);
     let (name, size) = unit(units.metres, &LENGTHS, high - low);
-    let width = (high - low) / CLASSES as f64;
+    let width = (high - low) / HEIGHT_CLASSES as f64;
     let class = |i: usize| {
         let edges = [low + i as f64 * width, low + (i + 1) as f64 * width];
         let share = curve.ratio(edges[0]) - curve.ratio(edges[1]);
         Dot::at(0.5 * (edges[0] + edges[1]) / size, share / (width / size))
     };
-    let classes: Vec<Dot> = (0..CLASSES).map(class).collect();
+    let classes: Vec<Dot> = (0..HEIGHT_CLASSES).map(class).collect();
     let rms = curve.rms_height() / size;
     let normal = |z: f64| (-0.5 * (z / rms).powi(2)).exp() / (rms * TAU.sqrt());
     let top = classes.iter().map(|dot| dot.y).fold(normal(0.0), f64::max);
@@ -53,7 +53,7 @@ pub(crate) fn material_ratio(curve: &AbbottCurve, units: Units) -> Panel {
     let mut panel = Panel::new("material ratio curve of Abbott and Firestone", x, y);
     let dot = |ratio: f64, height: f64| Dot::at(PERCENT * ratio, height / size);
     panel.add("core", Colour::GREY, Mark::Dashed, [dot(0.0, top), dot(1.0, top - core.core)]);
-    let ratios = (0..=POINTS).map(|i| i as f64 / POINTS as f64);
+    let ratios = (0..=RATIO_CURVE_POINTS).map(|i| i as f64 / RATIO_CURVE_POINTS as f64);
     panel.add("heights", Colour::BLUE, Mark::Line, ratios.map(|ratio| dot(ratio, curve.height(ratio))));
     panel
 }

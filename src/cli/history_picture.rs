@@ -8,10 +8,10 @@ use asperity::quantity::{LENGTHS, PRESSURES};
 use asperity::setup::StateChart;
 
 /// Room beyond the extreme values of a curve, over their distance.
-const ROOM: f64 = 0.05;
+const AXIS_MARGIN: f64 = 0.05;
 
 /// Ends of a curve that are closer than this, over the distance of its extreme values, are the same.
-const CLOSED: f64 = 1e-6;
+const LOOP_CLOSURE: f64 = 1e-6;
 
 /// The picture of the states of a history, without the frames of motions: a jump is an arrow.
 pub(crate) fn draw(title: &str, outcome: &HistoryOutcome, units: Units) -> Figure {
@@ -39,7 +39,7 @@ fn panel(outcome: &HistoryOutcome, chart: StateChart, states: &[&State], units: 
         let [low, high] = range(values);
         match is_logarithmic && low > 0.0 {
             true => Axis::log(title.clone(), [low / 1.2, high * 1.2]),
-            false => Axis::linear(title.clone(), [low - ROOM * (high - low), high + ROOM * (high - low)]),
+            false => Axis::linear(title.clone(), [low - AXIS_MARGIN * (high - low), high + AXIS_MARGIN * (high - low)]),
         }
     };
     let dots: Vec<Dot> = x.1.iter().zip(&y.1).map(|(x, y)| Dot::at(*x, *y)).collect();
@@ -74,7 +74,7 @@ fn in_units(quantity: Quantity, values: Vec<f64>, units: Units) -> (String, Vec<
 fn is_closed(values: &[f64]) -> bool {
     let finite: Vec<f64> = values.iter().copied().filter(|it| it.is_finite()).collect();
     let [low, high] = range(&finite);
-    matches!(finite.as_slice(), [first, .., last] if (last - first).abs() <= CLOSED * (high - low))
+    matches!(finite.as_slice(), [first, .., last] if (last - first).abs() <= LOOP_CLOSURE * (high - low))
 }
 
 /// The least and the largest finite value, with zero beside values that are all the same.

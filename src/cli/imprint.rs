@@ -10,7 +10,7 @@ use asperity::setup::Setup;
 use std::path::Path;
 
 /// The ending of arrays, which have no unit; all other formats are in metres.
-const ARRAY: &str = "npy";
+const ARRAY_ENDING: &str = "npy";
 
 /// Refuses an imprint of a body that keeps none, and a name that promises another content.
 pub(crate) fn check(path: Option<&Path>, setup: &Setup, units: Units) -> Result<()> {
@@ -19,7 +19,7 @@ pub(crate) fn check(path: Option<&Path>, setup: &Setup, units: Units) -> Result<
         return usage("--imprint is for a body that yields below its surface: give --yield-stress, or leave it out");
     }
     check_named(path, &Scan::endings())?;
-    let is_array = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(ARRAY));
+    let is_array = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(ARRAY_ENDING));
     if is_array || units.metres {
         return Ok(());
     }

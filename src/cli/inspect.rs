@@ -28,9 +28,9 @@ use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 /// The certificate of the reference.
-const REFERENCE: f64 = 1e-12;
+const REFERENCE_TOLERANCE: f64 = 1e-12;
 /// Fields in memory at the same time: those of a step, a half-space, a recorder and the reference.
-const FIELDS: f64 = 16.0;
+const FIELDS_IN_MEMORY: f64 = 16.0;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -91,7 +91,7 @@ impl Inspect {
         check_apart(self.shown.record.as_deref(), self.read(&table)?)?;
         let setup = table.setup()?;
         check_elastic(&setup)?;
-        Cost::from_fields(&setup.check()?, FIELDS).check("an iteration")?;
+        Cost::from_fields(&setup.check()?, FIELDS_IN_MEMORY).check("an iteration")?;
         let problem = setup.problem()?;
         match &self.follow {
             Some(folder) => self.follow(folder, &setup, &problem),
@@ -176,7 +176,7 @@ impl Inspect {
 
     /// The state to compare with.
     fn reference(&self, problem: &Problem) -> Result<Contact> {
-        let stop = Stop::new(REFERENCE, Stop::default().max_iterations())?;
+        let stop = Stop::new(REFERENCE_TOLERANCE, Stop::default().max_iterations())?;
         let Some(path) = &self.reference else {
             return Ok(Multilevel.solve(problem, &stop, &mut Progress::new("the reference"))?);
         };

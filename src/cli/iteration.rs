@@ -13,7 +13,7 @@ use serde::Serialize;
 use std::io::{self, Write};
 
 /// Rows of the table of steps between powers of ten, about.
-const PER_DECADE: f64 = 6.0;
+const ROWS_PER_DECADE: f64 = 6.0;
 
 /// The steps of another code, and how far they are from the reference.
 #[derive(Serialize)]
@@ -66,7 +66,7 @@ impl Iteration {
 
     /// All early steps, later ones less often, and the last.
     fn listed(&self) -> impl Iterator<Item = &Distance> {
-        let place = |step: usize| (PER_DECADE * (step as f64).log10()).floor();
+        let place = |step: usize| (ROWS_PER_DECADE * (step as f64).log10()).floor();
         let last = self.steps.len().saturating_sub(1);
         let is_listed = move |step: usize| step < 2 || step == last || place(step) > place(step - 1);
         self.steps.iter().enumerate().filter(move |(step, _)| is_listed(*step)).map(|(_, it)| it)

@@ -12,10 +12,10 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// The part by which the sides of two measurements of the same place may differ.
-const SAME_SIZE: f64 = 1e-3;
+const SIDE_TOLERANCE: f64 = 1e-3;
 
 /// The part of the heights that may be sharper than the tip by chance; with more the tip has not measured these heights.
-const MOST_SHARPER: f64 = 0.05;
+const LARGEST_SHARPER_SHARE: f64 = 0.05;
 
 /// The highest part of the nodes, of which the verdict says how much the tip has not reached. Elastic contacts of rough surfaces mostly cover less than a tenth.
 const HIGHEST_SHARE: f64 = 0.1;
@@ -115,7 +115,7 @@ impl TipReport {
 
     fn sentence(&self, units: Units) -> String {
         let radius = units.length(self.radius);
-        if self.sharper_share > MOST_SHARPER {
+        if self.sharper_share > LARGEST_SHARPER_SHARE {
             return format!(
                 "A ball-shaped tip of radius {radius} cannot have measured {:.0} % of the heights, which are sharper: they are noise, to be filtered \
                  out first, or the tip is smaller",
@@ -145,7 +145,7 @@ fn repeated(recipe: &Recipe, cell: &Cell, heights: &Scan, path: &Path) -> Result
     let file = HeightFile::from(path.to_path_buf());
     let second = Recipe { height: Some(file.clone()), ..recipe.clone() };
     let other = original(&second, &file, cell)?;
-    let is_same = |axis: usize| (other.spacing[axis] / heights.spacing[axis] - 1.0).abs() < SAME_SIZE;
+    let is_same = |axis: usize| (other.spacing[axis] / heights.spacing[axis] - 1.0).abs() < SIDE_TOLERANCE;
     if other.shape() != heights.shape() || ![0, 1].into_iter().all(is_same) {
         let [one, two] = [heights, &other].map(in_words);
         return usage(format!(

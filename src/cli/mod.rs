@@ -1,4 +1,20 @@
-//! The command line, one file per command.
+//! The command line: one file per command, which reads flags, calls a room below and prints.
+//!
+//! ```text
+//! words --clap--> a command, such as Solve --> SetupTable --> Setup --> Job --> Solved
+//!                                                                                 |
+//!                 stdout, stderr, files <-- report::deliver <-- ContactReport or StatesReport
+//! ```
+//!
+//! - A command is a struct of flags with a method `run`. The flags of a scene are in `flags`, made from the table of keys in
+//!   [`setup`](asperity::setup); those that name files are in `outputs`.
+//! - `report` says what becomes of a result: files first, then text or JSON, then warnings. `contact_report` has what is said of one
+//!   contact, `states_report` what is said of several states.
+//! - Sentences of the library name keys of a scene, and never flags. `exit_status` and `warnings` add the flags.
+//! - `units` knows whether the numbers of a scene are in metres and pascals: without units they are printed as they are.
+//!
+//! Nothing is computed here: each number that is printed comes from a room below, so that Python and the page have it too. `solve` is
+//! the place to begin reading.
 
 mod accuracy;
 mod adhesion;

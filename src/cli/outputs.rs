@@ -13,10 +13,10 @@ use clap::Args;
 use std::path::{Path, PathBuf};
 
 /// Endings of the names of the files.
-const RECORDING: &[&str] = &["rrd"];
-const RESULT: &[&str] = &["npz", "csv", "svg", "pdf", "png"];
-const SCENE: &[&str] = &["toml"];
-const STRESS: &[&str] = &["npz"];
+const RECORDING_ENDINGS: &[&str] = &["rrd"];
+const RESULT_ENDINGS: &[&str] = &["npz", "csv", "svg", "pdf", "png"];
+const SCENE_ENDINGS: &[&str] = &["toml"];
+const STRESS_ENDINGS: &[&str] = &["npz"];
 
 #[derive(Args)]
 #[command(next_help_heading = "Output")]
@@ -169,7 +169,12 @@ impl Outputs {
     pub(crate) fn check(&self) -> Result<()> {
         self.style()?;
         let (out, stress, setup) = (self.out.as_deref(), self.stress.as_deref(), self.save_setup.as_deref());
-        let named = [(self.recording(), RECORDING), (out, RESULT), (stress, STRESS), (setup, SCENE)];
+        let named = [
+            (self.recording(), RECORDING_ENDINGS),
+            (out, RESULT_ENDINGS),
+            (stress, STRESS_ENDINGS),
+            (setup, SCENE_ENDINGS),
+        ];
         let check = |(path, endings): (Option<&Path>, _)| path.map_or(Ok(()), |path| check_named(path, endings));
         Ok(named.into_iter().try_for_each(check)?)
     }

@@ -5,7 +5,7 @@ use asperity::contact::{NumberedPatch, PatchEvent, PatchEventKind, PatchHistory,
 use std::io::{self, Write};
 
 /// The most patches, events and branches that are printed.
-const MOST: usize = 20;
+const MOST_LINES: usize = 20;
 
 /// The patches of some states, in words.
 pub(crate) struct PatchReport<'a> {
@@ -72,7 +72,7 @@ impl PatchReport<'_> {
         )?;
         writeln!(out, "{:>8} {:>9} {size:>16} {:>10} {:>9}  centre {place}", "patch", "nodes", "load", "kappa_r")?;
         let load = state.load();
-        for NumberedPatch { number, its } in state.patches.iter().take(MOST) {
+        for NumberedPatch { number, its } in state.patches.iter().take(MOST_LINES) {
             let area = if self.is_line { self.units.length(its.area) } else { self.units.area(its.area) };
             let [y, x] = its.centre.map(|it| self.units.length(it));
             let centre = if self.is_line { x } else { format!("{x}, {y}") };
@@ -94,7 +94,7 @@ impl PatchReport<'_> {
             return Ok(());
         }
         writeln!(out, "\nWhat the patches of the last state have taken in:")?;
-        lines.iter().take(MOST).try_for_each(|line| writeln!(out, "{line}"))?;
+        lines.iter().take(MOST_LINES).try_for_each(|line| writeln!(out, "{line}"))?;
         write_rest(lines.len(), "lines", out)
     }
 
@@ -121,7 +121,7 @@ fn write_sizes(state: &PatchState, out: &mut impl Write) -> io::Result<()> {
 /// What happened, state by state.
 fn write_events(events: &[PatchEvent], out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "\nWhat happened: {}", counted(events.len(), "event", "events"))?;
-    events.iter().take(MOST).try_for_each(|it| {
+    events.iter().take(MOST_LINES).try_for_each(|it| {
         let PatchEvent { state, patch, .. } = it;
         let what = match (it.event, it.other) {
             (PatchEventKind::Merged, Some(other)) => format!("merged into patch {other}"),
@@ -135,7 +135,7 @@ fn write_events(events: &[PatchEvent], out: &mut impl Write) -> io::Result<()> {
 
 /// How many were left out.
 fn write_rest(count: usize, name: &str, out: &mut impl Write) -> io::Result<()> {
-    match count.saturating_sub(MOST) {
+    match count.saturating_sub(MOST_LINES) {
         0 => Ok(()),
         rest => writeln!(out, "  and {rest} more {name} (--out, --json)"),
     }

@@ -11,16 +11,16 @@ use asperity::surface::Field;
 use std::cmp::Ordering;
 
 /// Largest number of dots of a curve.
-const DOTS: usize = 4096;
+const MOST_DOTS: usize = 4096;
 /// Room beyond the extreme values of a curve, over their distance.
-const ROOM: f64 = 0.05;
+const AXIS_MARGIN: f64 = 0.05;
 
 /// The share of the nodes in contact with the largest pressures that may be beyond the colours, and how many times as much as the others they then have.
-const FEW: f64 = 0.005;
-const SEVERAL: f64 = 1.5;
+const CLIPPED_NODES: f64 = 0.005;
+const CLIPPED_PRESSURE_RATIO: f64 = 1.5;
 
 /// The largest number of pixels of a map along an axis.
-const PIXELS: usize = 1024;
+const MOST_PIXELS: usize = 1024;
 
 /// The picture of a contact. Of a line: both surfaces, and the pressure along it. Of a surface: maps of the pressure and of the gap.
 pub(crate) fn of_contact(title: &str, contact: &Contact, units: Units) -> Figure {
@@ -174,9 +174,9 @@ fn end_of_colours(pressure: &Field) -> f64 {
     if pressures.is_empty() {
         return highest;
     }
-    let place = ((1.0 - FEW) * (pressures.len() - 1) as f64) as usize;
+    let place = ((1.0 - CLIPPED_NODES) * (pressures.len() - 1) as f64) as usize;
     let (_, most, _) = pressures.select_nth_unstable_by(place, f64::total_cmp);
-    if highest > SEVERAL * *most { *most } else { highest }
+    if highest > CLIPPED_PRESSURE_RATIO * *most { *most } else { highest }
 }
 
 fn most(field: &Field) -> f64 {
@@ -205,7 +205,7 @@ fn lengths(name: &str, maps: &[NamedMap], pick: fn(f64, f64) -> f64, units: Unit
 fn map(named: &NamedMap, field: Field, pick: fn(f64, f64) -> f64, scale: Axis, units: Units) -> Panel {
     let NamedMap { title, grid, .. } = named;
     let x = positions(grid, units);
-    let nodes = grid.shape().map(|points| points.div_ceil(PIXELS));
+    let nodes = grid.shape().map(|points| points.div_ceil(MOST_PIXELS));
     let pixels = field.exact_chunks((nodes[0], nodes[1])).into_iter();
     let values = pixels.map(|nodes| nodes.iter().copied().reduce(pick).unwrap_or(f64::NAN)).collect();
     let shape = [0, 1].map(|axis| grid.shape()[axis] / nodes[axis]);
@@ -222,7 +222,7 @@ fn pressure(contact: &Contact, units: Units) -> Panel {
     let pressure = contact.pressure.row(0).to_vec();
     let (x, (unit, size)) =
         (positions(contact.problem.surface().grid(), units), unit(units.pascals, &PRESSURES, highest));
-    let y = Axis::linear(label("pressure", unit), [0.0, (1.0 + ROOM) * highest / size]);
+    let y = Axis::linear(label("pressure", unit), [0.0, (1.0 + AXIS_MARGIN) * highest / size]);
     let mut panel = Panel::new("pressure", x.axis(), y);
     panel.add("", Colour::ORANGE, Mark::Line, x.dots(&pressure, f64::max, size));
     panel
@@ -249,7 +249,7 @@ impl NodePositions {
 
     /// The dots of a curve in a unit; of several nodes at a dot, the value that `pick` leaves of them.
     fn dots(&self, values: &[f64], pick: fn(f64, f64) -> f64, unit: f64) -> Vec<Dot> {
-        let nodes = values.len().div_ceil(DOTS);
+        let nodes = values.len().div_ceil(MOST_DOTS);
         let dot = |(i, values): (usize, &[f64])| {
             let middle = (i * nodes) as f64 + 0.5 * (values.len() - 1) as f64;
             let value = values.iter().copied().reduce(pick).unwrap_or(f64::NAN);
@@ -272,6 +272,6 @@ pub(crate) fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 
 /// A range with some room at both ends.
 pub(crate) fn wider([low, high]: [f64; 2]) -> [f64; 2] {
-    let room = ROOM * (high - low);
+    let room = AXIS_MARGIN * (high - low);
     [low - room, high + room]
 }

@@ -13,9 +13,9 @@ use clap::Args;
 use std::path::PathBuf;
 
 /// A range of positive values has a logarithmic axis if its ends have this ratio.
-const LOGARITHMIC: f64 = 20.0;
+const LOGARITHMIC_RANGE_RATIO: f64 = 20.0;
 /// Room beyond the extreme values, over their distance, and as a factor on a logarithmic axis.
-const ROOM: [f64; 2] = [0.06, 1.2];
+const AXIS_MARGINS: [f64; 2] = [0.06, 1.2];
 
 const EXAMPLES: &str = "\
 Examples:
@@ -117,8 +117,8 @@ fn title(quantity: Quantity) -> String {
 fn axis(name: String, values: impl Iterator<Item = f64>) -> Axis {
     let ends = [f64::INFINITY, f64::NEG_INFINITY];
     let [low, high] = values.fold(ends, |[low, high], it| [low.min(it), high.max(it)]);
-    let [share, factor] = ROOM;
-    if low > 0.0 && high > LOGARITHMIC * low {
+    let [share, factor] = AXIS_MARGINS;
+    if low > 0.0 && high > LOGARITHMIC_RANGE_RATIO * low {
         return Axis::log(name, [low / factor, high * factor]);
     }
     let room = (share * (high - low)).max(1e-3 * high.abs()).max(f64::MIN_POSITIVE);

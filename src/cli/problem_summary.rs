@@ -1,5 +1,6 @@
 //! The subject of a solve: surface, grid, solid and solver, which are the same under all loads.
 
+use super::output::{TextRow, row};
 use super::units::Units;
 use asperity::contact::Problem;
 use asperity::error::SetupError;
@@ -7,11 +8,6 @@ use asperity::quantity::{length_in_words, pressure_in_words};
 use asperity::setup::{Setup, Solid};
 use serde::Serialize;
 use serde_json::{Map, Value};
-
-const JUMP: &str = "jump across the period";
-const SOLVER: &str = "solver";
-/// Rows that are written on request only.
-const DETAILS: [&str; 2] = [JUMP, SOLVER];
 
 /// Surface, grid, solid and solver of a solve, as text and as JSON.
 #[derive(Serialize)]
@@ -85,25 +81,25 @@ impl ProblemSummary {
     }
 
     /// Names and values for reading, with the jumps across the period and the settings of the solver if `is_verbose`.
-    pub(crate) fn rows(&self, units: Units, is_verbose: bool) -> Vec<(String, String)> {
-        let hardness = self
-            .hardness
-            .map(|hardness| ("hardness H_c", format!("{}, the highest pressure", units.pressure(hardness))));
-        let rows = [
-            ("source", if units.metres { self.source_in_metres.clone() } else { self.source.clone() }),
-            ("spacing", along_axes(&self.spacing, |length| units.length(length))),
-            (JUMP, format!("{} rms steps", along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}")))),
-            ("contact modulus E*", format!("{} ({})", units.pressure(self.contact_modulus), self.solid(units))),
-            (SOLVER, self.settings.clone()),
-            ("prescribed", self.prescribed.to_owned()),
-        ];
-        let is_written = |(name, _): &(&str, String)| is_verbose || !DETAILS.contains(name);
-        rows.into_iter()
-            .filter(is_written)
-            .chain(self.others.clone())
-            .chain(hardness)
-            .map(|(name, value)| (name.to_owned(), value))
-            .collect()
+    pub(crate) fn rows(&self, units: Units, is_verbose: bool) -> Vec<TextRow> {
+        let source = if units.metres { &self.source_in_metres } else { &self.source };
+        let mut rows =
+            vec![row("source", &**source), row("spacing", along_axes(&self.spacing, |length| units.length(length)))];
+        if is_verbose {
+            let jumps = along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"));
+            rows.push(row("jump across the period", format!("{jumps} rms steps")));
+        }
+        let modulus = units.pressure(self.contact_modulus);
+        rows.push(row("contact modulus E*", format!("{modulus} ({})", self.solid(units))));
+        if is_verbose {
+            rows.push(row("solver", &*self.settings));
+        }
+        rows.push(row("prescribed", self.prescribed));
+        rows.extend(self.others.iter().map(|(name, value)| row(name, &**value)));
+        if let Some(hardness) = self.hardness {
+            rows.push(row("hardness H_c", format!("{}, the highest pressure", units.pressure(hardness))));
+        }
+        rows
     }
 
     /// The solid in words.

@@ -12,7 +12,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 /// Places on the bar from the first certificate to the tolerance.
-const LENGTH: u64 = 1000;
+const BAR_PLACES: u64 = 1000;
 
 /// Shows grid level and certificate, and the progress towards the tolerance, on standard error, if that is a terminal.
 /// It uses only those values of a step that cost nothing.
@@ -84,7 +84,7 @@ impl Progress {
     /// A bar that is full at the tolerance of the run.
     pub(crate) fn new(title: &str) -> Self {
         let bar = blank("{prefix} [{wide_bar}] {msg} ({elapsed})");
-        bar.set_length(LENGTH);
+        bar.set_length(BAR_PLACES);
         bar.set_prefix(title.to_owned());
         if !bar.is_hidden() {
             bar.enable_steady_tick(Duration::from_millis(200));
@@ -120,7 +120,7 @@ impl LevelProgress {
     /// How far along the bar the certificate is.
     fn place(&self, tolerance: f64) -> u64 {
         let share = (self.first / self.last).ln() / (self.first / tolerance).ln();
-        (share.clamp(0.0, 1.0) * LENGTH as f64) as u64
+        (share.clamp(0.0, 1.0) * BAR_PLACES as f64) as u64
     }
 }
 
@@ -159,9 +159,9 @@ struct Trend {
 
 impl Trend {
     /// The fewest values to go by.
-    const FEWEST: u32 = 4;
+    const FEWEST_VALUES: u32 = 4;
     /// The least share of the variance that a line must explain (`r^2`).
-    const LEAST: f64 = 0.5;
+    const LEAST_R_SQUARED: f64 = 0.5;
 
     fn add(&mut self, t: f64, y: f64) {
         if y.is_finite() {
@@ -178,7 +178,7 @@ impl Trend {
         let [mean_t, mean_y] = [t / weight, y / weight];
         let [tt, ty, yy] =
             [tt / weight - mean_t * mean_t, ty / weight - mean_t * mean_y, yy / weight - mean_y * mean_y];
-        let is_trend = self.count >= Self::FEWEST && ty < 0.0 && ty * ty > Self::LEAST * tt * yy;
+        let is_trend = self.count >= Self::FEWEST_VALUES && ty < 0.0 && ty * ty > Self::LEAST_R_SQUARED * tt * yy;
         is_trend.then(|| mean_t + (target - mean_y) * tt / ty)
     }
 }

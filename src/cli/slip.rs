@@ -1,5 +1,6 @@
 //! The stick and slip areas under a tangential load, as text and as JSON.
 
+use super::output::{TextRow, row};
 use super::units::Units;
 use asperity::contact::PartialSlip;
 use serde::Serialize;
@@ -40,15 +41,15 @@ impl From<&PartialSlip> for SlipFinding {
 
 impl SlipFinding {
     /// Names and values for reading.
-    pub(crate) fn rows(&self, units: Units) -> Vec<(String, String)> {
-        let [mean, max] = [self.mean_traction, self.max_traction].map(|traction| units.pressure(traction));
-        let rows = [
-            ("tangential load", format!("{:.6e} of the load at which everything slides", self.tangential_over_sliding)),
-            ("mean traction", mean),
-            ("largest traction", max),
-            ("stick area", format!("{:.6} (certificate {:.2e})", self.stick_area, self.stick_certificate)),
-            ("slip area", format!("{:.6}", self.slip_area)),
-        ];
-        rows.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+    pub(crate) fn rows(&self, units: Units) -> Vec<TextRow> {
+        let load = format!("{:.6e} of the load at which everything slides", self.tangential_over_sliding);
+        let stick = format!("{:.6} (certificate {:.2e})", self.stick_area, self.stick_certificate);
+        vec![
+            row("tangential load", load),
+            row("mean traction", units.pressure(self.mean_traction)),
+            row("largest traction", units.pressure(self.max_traction)),
+            row("stick area", stick),
+            row("slip area", format!("{:.6}", self.slip_area)),
+        ]
     }
 }

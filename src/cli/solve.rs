@@ -124,7 +124,7 @@ impl Solve {
         let mut watch = StateWatch::new(outputs)?;
         let solved = ready.run(&mut watch).map_err(before_the_first)?.solved.swap_remove(0);
         say_left_out(&outputs.left_out);
-        let written = states::write(solved, &problem, (outputs, self.scene.units()));
+        let written = states::write(solved, &problem, outputs, self.scene.units());
         // where the end cannot be written, what grew beside it is kept
         if !written.as_ref().is_err_and(|error| error.is::<FileError>()) {
             growing.discard();

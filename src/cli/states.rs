@@ -9,23 +9,22 @@ use super::warnings;
 use anyhow::Result;
 use asperity::contact::{Problem, Status};
 use asperity::error::{HistoryError, SlipError, StudyError, is_input};
-use asperity::job::Solved;
+use asperity::job::{HistoryOutcome, Solved};
 
 /// Writes and prints the states of a run.
-pub(crate) fn write(solved: Solved, problem: &Problem, (outputs, units): (&Outputs, Units)) -> Result<ExitStatus> {
+pub(crate) fn write(mut solved: Solved, problem: &Problem, outputs: &Outputs, units: Units) -> Result<ExitStatus> {
+    solved.history.iter_mut().for_each(leave_out_interrupted);
     let mut warnings = warnings::in_flags(&solved.warnings());
     let (mut setup, Some(mut outcome)) = (solved.setup, solved.history) else { return Ok(ExitStatus::Done) };
     if let Some(error) = outcome.ended.take_if(|error| outcome.drive.is_list && is_input(error)) {
         return Err(StudyError::from(error).into());
     }
-    // a solve that was interrupted has no result
-    outcome.rows.retain(|row| row.status != Status::StoppedByObserver);
-    outcome.states.retain(|state| state.contact.status != Status::StoppedByObserver);
     let solved = outcome.rows.len();
     if solved == 0 {
         return Err(Interrupted.into());
     }
     let counted = counted(solved, setup.loads.len());
+    // the setup that is saved repeats what was solved
     setup.loads.truncate(solved);
     let is_stopped = matches!(outcome.ended, Some(HistoryError::Stopped));
     let failure = outcome.ended.as_ref().filter(|_| !is_stopped);
@@ -38,7 +37,7 @@ pub(crate) fn write(solved: Solved, problem: &Problem, (outputs, units): (&Outpu
     if outcome.drive.is_list {
         warnings.extend(faults.into_iter().cloned());
     }
-    let mut report = StatesReport::new((setup, problem), outcome, warnings, units)?;
+    let mut report = StatesReport::new(setup, problem, outcome, warnings, units)?;
     report::deliver(&report, outputs)?;
     if is_stopped {
         warnings::print(&[format!("interrupted: {counted} solved and written")]);
@@ -51,6 +50,13 @@ pub(crate) fn write(solved: Solved, problem: &Problem, (outputs, units): (&Outpu
         (false, true) => ExitStatus::Done,
         (false, false) => ExitStatus::NotConverged,
     })
+}
+
+/// Leaves out the contact whose solve was interrupted: it is no result, so that nothing is said of it.
+fn leave_out_interrupted(outcome: &mut HistoryOutcome) {
+    outcome.rows.retain(|row| row.status != Status::StoppedByObserver);
+    outcome.states.retain(|state| state.contact.status != Status::StoppedByObserver);
+    outcome.totals = outcome.drive.totals_of(&outcome.rows);
 }
 
 /// How many states were solved, in words: of a list also how many loads there are.

@@ -1,9 +1,10 @@
 //! The report of several states, whatever leads from one to the next: loads one after the other, creep, slip, sliding, rolling, adhesion and yielding.
 
 use super::adhesion;
+use super::finding::exact_words;
 use super::history_picture;
 use super::imprint;
-use super::output::write_rows;
+use super::output::{row, write_rows};
 use super::outputs::Outputs;
 use super::picture;
 use super::problem_summary::ProblemSummary;
@@ -23,7 +24,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 /// Columns of what flows, where it was asked for.
-const OF_FLOW: [Quantity; 3] = [Quantity::HydraulicGapX, Quantity::HydraulicGapY, Quantity::ConductancePerArea];
+const FLOW_COLUMNS: [Quantity; 3] = [Quantity::HydraulicGapX, Quantity::HydraulicGapY, Quantity::ConductancePerArea];
 
 /// Everything that a script may want to know about the states of a run, and the setup that repeats it.
 #[derive(Serialize)]
@@ -52,6 +53,9 @@ pub(crate) struct StatesReport {
     setup: Setup,
     #[serde(skip)]
     pub outcome: HistoryOutcome,
+    /// Whether the cell repeats.
+    #[serde(skip)]
+    has_neighbours: bool,
     #[serde(skip)]
     units: Units,
 }
@@ -95,16 +99,18 @@ impl StatesReport {
     /// # Errors
     /// The errors of [`ProblemSummary::new`].
     pub(crate) fn new(
-        (setup, problem): (Setup, &Problem),
+        setup: Setup,
+        problem: &Problem,
         outcome: HistoryOutcome,
         warnings: Vec<String>,
         units: Units,
     ) -> Result<Self> {
         let cycles = outcome.cycles(&setup);
+        let grid = problem.surface().grid();
         let mut states = Vec::new();
         for (number, row) in outcome.rows.iter().enumerate() {
             let pressure = row.get(Quantity::MeanPressure).unwrap_or(f64::NAN);
-            let exact = setup.exact(problem.surface().grid(), pressure);
+            let exact = setup.exact(grid, pressure);
             states.push(object(number, row, exact.as_ref()));
         }
         Ok(Self {
@@ -123,31 +129,75 @@ impl StatesReport {
             warnings,
             setup,
             outcome,
+            has_neighbours: grid.is_periodic(),
             units,
         })
     }
 
     /// The columns of the table for reading: what the drive shows and what flows, as far as some state has it, with the area of the exact solution and
     /// the claims where there are any.
-    fn columns(&self) -> Vec<TextColumn> {
+    fn columns(&self) -> Vec<WordColumn> {
         let Self { outcome, units, .. } = self;
         let mut columns = Vec::new();
-        for quantity in outcome.drive.columns.iter().chain(&OF_FLOW) {
+        for quantity in outcome.drive.columns.iter().chain(&FLOW_COLUMNS) {
             if is_shown(*quantity, &outcome.rows) {
                 let words = outcome.rows.iter().map(|row| cell(*quantity, row, *units)).collect();
-                columns.push(TextColumn { heading: quantity.row().short, words });
+                columns.push(WordColumn { heading: quantity.row().short, words });
             }
         }
-        let exact: Vec<Option<f64>> = self.states.iter().map(|it| it.get("exact")?["relative_area"].as_f64()).collect();
-        if exact.iter().any(Option::is_some) {
-            let words = exact.into_iter().map(|area| area.map_or("-".into(), number_in_words)).collect();
-            columns.push(TextColumn { heading: "exact area", words });
-        }
+        columns.extend(self.exact_areas());
         if outcome.drive.has_claims {
             let words = outcome.rows.iter().map(|row| <&str>::from(row.claim).to_owned()).collect();
-            columns.push(TextColumn { heading: "claim", words });
+            columns.push(WordColumn { heading: "claim", words });
         }
         columns
+    }
+
+    /// The areas of the exact solution, of a list of loads on an indenter that has one.
+    fn exact_areas(&self) -> Option<WordColumn> {
+        let exact = |state: &Map<String, Value>, key: &str| state.get("exact")?.get(key).cloned();
+        let name = self.states.iter().find_map(|state| exact(state, "name"))?;
+        let heading = match exact_words(name.as_str()?, self.has_neighbours) {
+            "exact" => "exact area",
+            _ => "area without neighbouring cells",
+        };
+        let mut words = Vec::new();
+        for state in &self.states {
+            // a contact that would not fit into the cell has no such solution
+            let area = exact(state, "relative_area").and_then(|area| area.as_f64());
+            words.push(area.map_or("-".into(), number_in_words));
+        }
+        Some(WordColumn { heading, words })
+    }
+
+    /// Writes the largest errors of all states by their sources, where they were estimated.
+    fn write_errors(&self, out: &mut dyn Write) -> io::Result<()> {
+        let mut lines = Vec::new();
+        // the only relative one among them
+        let errors = self.outcome.rows.iter().filter_map(|row| row.get(Quantity::PressureInContactError));
+        if let Some(error) = errors.reduce(f64::max) {
+            lines.push(format!("largest estimated error of p_m / Y by the grid: {:.1} %", 1e2 * error));
+        }
+        for quantity in Quantity::all() {
+            let mut sources = Vec::new();
+            for error in quantity.row().errors.iter().filter_map(|name| Quantity::find(name)) {
+                if let (Some(largest), Some(cause)) = (self.largest(error), error.row().cause()) {
+                    sources.push(format!("{largest} by {cause}"));
+                }
+            }
+            if !sources.is_empty() {
+                let name = quantity.row().short;
+                lines.push(format!("largest estimated error of the {name}: {}", sources.join(", ")));
+            }
+        }
+        if lines.is_empty() { Ok(()) } else { writeln!(out, "\n{}", lines.join("\n")) }
+    }
+
+    /// The largest value of a quantity among all states, in words.
+    fn largest(&self, quantity: Quantity) -> Option<String> {
+        let known = self.outcome.rows.iter().filter(|row| row.get(quantity).is_some());
+        let largest = known.max_by(|one, two| one.value(quantity).total_cmp(&two.value(quantity)))?;
+        Some(cell(quantity, largest, self.units))
     }
 
     /// The energies that the cycles lost, each with its error over the energy, where there is one.
@@ -209,41 +259,56 @@ impl SolveReport for StatesReport {
         let count = outcome.rows.len();
         let states = if count == 1 { "1 state".to_owned() } else { format!("{count} states") };
         writeln!(out, "{}: {}, {states}", self.subject.line(), self.process)?;
-        let claim = (!outcome.drive.has_claims).then(|| ("claim".to_owned(), self.claim.to_owned()));
-        let of_adhesion = self.adhesion.iter().flat_map(|it| adhesion::rows(it, *units));
-        write_rows(self.subject.rows(*units, is_verbose).into_iter().chain(claim).chain(of_adhesion), out)?;
+        let mut rows = self.subject.rows(*units, is_verbose);
+        // states that differ in what they claim have a column for it
+        if !outcome.drive.has_claims {
+            rows.push(row("claim", self.claim));
+        }
+        if let Some(adhesion) = &self.adhesion {
+            rows.extend(adhesion::rows(adhesion, *units));
+        }
+        write_rows(rows, out)?;
         writeln!(out)?;
         write_columns(&self.columns(), out)?;
-        let has_path = |it: &&AdhesionOutcome| count > 1 || it.totals.separated;
-        if let Some(it) = self.adhesion.as_ref().filter(has_path) {
-            adhesion::write_totals(it, *units, out)?;
+        if let Some(adhesion) = &self.adhesion
+            && (count > 1 || adhesion.totals.separated)
+        {
+            adhesion::write_totals(adhesion, *units, out)?;
         }
-        write_errors(outcome, *units, out)?;
+        self.write_errors(out)?;
         self.write_cycles(out)
     }
 }
 
 /// A column of the table for reading: its heading, and a word for each state.
-struct TextColumn {
+struct WordColumn {
     heading: &'static str,
     words: Vec<String>,
 }
 
-/// Writes columns beside each other, each as wide as its widest word.
-fn write_columns(columns: &[TextColumn], out: &mut dyn Write) -> io::Result<()> {
-    let length = |word: &str| word.chars().count();
-    let width = |column: &TextColumn| {
-        let words = column.words.iter().map(|word| length(word));
-        words.fold(length(column.heading), usize::max)
-    };
-    let widths: Vec<usize> = columns.iter().map(width).collect();
-    let write_line = |word: &dyn Fn(&TextColumn) -> String, out: &mut dyn Write| {
-        let words = columns.iter().zip(&widths).map(|(column, width)| format!("   {:>width$}", word(column)));
-        writeln!(out, "{}", words.collect::<String>())
-    };
-    write_line(&|column| column.heading.to_owned(), out)?;
-    let count = columns.first().map_or(0, |column| column.words.len());
-    (0..count).try_for_each(|state| write_line(&|column| column.words[state].clone(), out))
+impl WordColumn {
+    /// The letters of the longest word, or of the heading if that is longer.
+    fn width(&self) -> usize {
+        let length = |word: &str| word.chars().count();
+        self.words.iter().map(|word| length(word)).fold(length(self.heading), usize::max)
+    }
+}
+
+/// Writes columns beside each other, each as wide as its widest word, with the words to the right.
+fn write_columns(columns: &[WordColumn], out: &mut dyn Write) -> io::Result<()> {
+    let widths: Vec<usize> = columns.iter().map(WordColumn::width).collect();
+    for (column, width) in columns.iter().zip(&widths) {
+        write!(out, "   {:>width$}", column.heading)?;
+    }
+    writeln!(out)?;
+    let states = columns.first().map_or(0, |column| column.words.len());
+    for state in 0..states {
+        for (column, width) in columns.iter().zip(&widths) {
+            write!(out, "   {:>width$}", column.words[state])?;
+        }
+        writeln!(out)?;
+    }
+    Ok(())
 }
 
 /// Whether no cycle has an estimated error.
@@ -258,28 +323,6 @@ fn is_shown(quantity: Quantity, rows: &[StateRow]) -> bool {
         _ => f64::NEG_INFINITY,
     };
     rows.iter().any(|row| row.get(quantity).is_some_and(|value| value > least))
-}
-
-/// Writes the largest errors of all states by their sources, where they were estimated.
-fn write_errors(outcome: &HistoryOutcome, units: Units, out: &mut dyn Write) -> io::Result<()> {
-    let largest = |error: &Quantity| {
-        let known = outcome.rows.iter().filter_map(|row| Some((row.get(*error)?, row)));
-        known.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, row)| cell(*error, row, units))
-    };
-    let told = |quantity: Quantity| {
-        let errors = quantity.row().errors.iter().filter_map(|name| Quantity::find(name));
-        let known: Vec<String> =
-            errors.filter_map(|error| Some(format!("{} by {}", largest(&error)?, error.row().cause()?))).collect();
-        let name = quantity.row().short;
-        (!known.is_empty()).then(|| format!("largest estimated error of the {name}: {}", known.join(", ")))
-    };
-    let mut lines = Vec::new();
-    let errors = outcome.rows.iter().filter_map(|row| row.get(Quantity::PressureInContactError));
-    if let Some(error) = errors.reduce(f64::max) {
-        lines.push(format!("largest estimated error of p_m / Y by the grid: {:.1} %", 1e2 * error));
-    }
-    lines.extend(Quantity::all().filter_map(told));
-    if lines.is_empty() { Ok(()) } else { writeln!(out, "\n{}", lines.join("\n")) }
 }
 
 /// A number of a state with its unit, where that is known; a dash where there is none, or where the grid does not resolve it.

@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The share of the free memory that a study may fill.
-const MEMORY: f64 = 0.8;
+const MEMORY_SHARE: f64 = 0.8;
 
 const EXAMPLES: &str = "\
 A study is a scene in which any value may be a list, and a seed a range such as \"1-100\":
@@ -123,7 +123,7 @@ impl Study {
         Campaign {
             shard: self.shard.unwrap_or(Shard::WHOLE),
             workers: self.workers.map_or_else(rayon::current_num_threads, NonZeroUsize::get),
-            memory: self.memory.or_else(|| available_bytes().map(|free| MEMORY * free)),
+            memory: self.memory.or_else(|| available_bytes().map(|free| MEMORY_SHARE * free)),
         }
     }
 

@@ -8,7 +8,7 @@ use std::io::Write;
 use std::time::Duration;
 
 /// Largest number of lines; the rest is in the table.
-const LINES: usize = 40;
+const MOST_LINES: usize = 40;
 
 /// Writes the cost of the rows of a share, the longest first.
 pub(crate) fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) -> Result<()> {
@@ -52,7 +52,7 @@ pub(crate) fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Wr
     writeln!(out, "\n{:>12} {:>10} {:>10}  first row", "realisations", "each", "memory")?;
     groups.sort_by(|(_, a), (_, b)| b.seconds.total_cmp(&a.seconds));
     groups.retain(|(first, _)| in_group(*first) > 0);
-    for (first, it) in groups.iter().take(LINES) {
+    for (first, it) in groups.iter().take(MOST_LINES) {
         let (count, each, memory) = (in_group(*first), format!("{:.2e} s", it.seconds), bytes_in_words(it.bytes));
         writeln!(out, "{count:>12} {each:>10} {memory:>10}  {}: {}", 1 + first * loads, plan.words_but_seed(*first))?;
     }
@@ -70,7 +70,7 @@ pub(crate) fn write_means(plan: &Plan, rows: usize, means: &[LoadMeans], out: &m
     )?;
     let errors = format!("{:>8} {:>8} {:>8} {:>4}", "std", "sem", "grid", "n");
     writeln!(out, "\n{:>11} {:>9} {errors} {:>8} {errors}", "p*", "area", "kappa_r")?;
-    for LoadMeans { values, reduced_pressure, relative_area, kappa_r, .. } in means.iter().take(LINES) {
+    for LoadMeans { values, reduced_pressure, relative_area, kappa_r, .. } in means.iter().take(MOST_LINES) {
         let [area, area_errors] = words(relative_area, 6);
         let [kappa_r, kappa_r_errors] = words(kappa_r, 4);
         writeln!(out, "{reduced_pressure:>11.4e} {area:>9} {area_errors} {kappa_r:>8} {kappa_r_errors}  {values}")?;
@@ -96,7 +96,9 @@ pub(crate) fn write_adhesion_means(
         "\n{:>10} {:>9} {:>4} {:>10} {:>9} {:>4} {:>9} {:>6} {:>6}",
         "pull-off", "std", "n", "lost", "std", "n", "area", "jumps", "parted"
     )?;
-    for AdhesionMeans { values, pull_off, lost_in_jumps, largest_area, jumps, separated } in means.iter().take(LINES) {
+    for AdhesionMeans { values, pull_off, lost_in_jumps, largest_area, jumps, separated } in
+        means.iter().take(MOST_LINES)
+    {
         // energies of histories that parted under the load do not count, so that their number is another one
         let [pull_offs, losses] = [pull_off.count, lost_in_jumps.count];
         let [pull_off, pull_off_std] = short_words(pull_off);
@@ -122,7 +124,8 @@ pub(crate) fn write_yield_means(plan: &Plan, rows: usize, means: &[YieldMeans], 
         "\n{:>10} {:>9} {:>12} {:>9} {:>13} {:>12}",
         "imprint", "std", "plastic work", "std", "largest alpha", "largest area"
     )?;
-    for YieldMeans { values, imprint_depth, plastic_work, max_plastic_strain, largest_area } in means.iter().take(LINES)
+    for YieldMeans { values, imprint_depth, plastic_work, max_plastic_strain, largest_area } in
+        means.iter().take(MOST_LINES)
     {
         let [imprint, imprint_std] = short_words(imprint_depth);
         let [work, work_std] = short_words(plastic_work);
@@ -134,7 +137,7 @@ pub(crate) fn write_yield_means(plan: &Plan, rows: usize, means: &[YieldMeans], 
 
 /// Mean and standard deviation with four and two digits.
 fn short_words(mean: &SeedMean) -> [String; 2] {
-    let known = |value: f64, words: String| if value.is_finite() { words } else { NONE.into() };
+    let known = |value: f64, words: String| if value.is_finite() { words } else { NO_NUMBER.into() };
     [
         known(mean.mean, format!("{:.3e}", mean.mean)),
         known(mean.standard_deviation, format!("{:.1e}", mean.standard_deviation)),
@@ -142,19 +145,19 @@ fn short_words(mean: &SeedMean) -> [String; 2] {
 }
 
 /// Placeholder for an unknown number.
-const NONE: &str = "-";
+const NO_NUMBER: &str = "-";
 
 /// A mean with some digits, and the columns of its errors and of the number of its seeds: a grid may resolve the areas of more seeds than `kappa_r`.
 fn words(mean: &SeedMean, digits: usize) -> [String; 2] {
-    let word = |value: f64| if value.is_finite() { format!("{value:.digits$}") } else { NONE.into() };
+    let word = |value: f64| if value.is_finite() { format!("{value:.digits$}") } else { NO_NUMBER.into() };
     let errors = [mean.standard_deviation, mean.standard_error, mean.grid_error].map(word);
     let [deviation, error, grid] = errors;
     [word(mean.mean), format!("{deviation:>8} {error:>8} {grid:>8} {:>4}", mean.count)]
 }
 
 fn write_rest(count: usize, what: &str, out: &mut impl Write) -> Result<()> {
-    if count > LINES {
-        writeln!(out, "and {} more {what}", count - LINES)?;
+    if count > MOST_LINES {
+        writeln!(out, "and {} more {what}", count - MOST_LINES)?;
     }
     Ok(())
 }

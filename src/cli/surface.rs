@@ -24,7 +24,7 @@ use clap::Args;
 use std::path::{Path, PathBuf};
 
 /// The ending of a table of statistics.
-const TABLE: &str = "csv";
+const TABLE_ENDING: &str = "csv";
 
 const EXAMPLES: &str = "\
 Examples:
@@ -73,7 +73,7 @@ pub(crate) struct Describe {
 impl Describe {
     pub(crate) fn run(&self) -> Result<ExitStatus> {
         let is_table =
-            self.out.as_ref().and_then(|path| path.extension()).is_some_and(|it| it.eq_ignore_ascii_case(TABLE));
+            self.out.as_ref().and_then(|path| path.extension()).is_some_and(|it| it.eq_ignore_ascii_case(TABLE_ENDING));
         if is_table || !self.more.is_empty() {
             return self.run_many();
         }
@@ -131,7 +131,7 @@ impl Describe {
     /// Statistics of one file or several as a table.
     fn run_many(&self) -> Result<ExitStatus> {
         if let Some(path) = &self.out {
-            check_named(path, &[TABLE])?;
+            check_named(path, &[TABLE_ENDING])?;
         }
         if self.record.is_some() || self.psd.is_some() {
             return usage("--record and --psd are for one file of heights: give one file, and another --out than .csv");

@@ -2,7 +2,7 @@
 
 use super::exit_status::usage;
 use super::measurement::MeasurementReport;
-use super::output::write_rows;
+use super::output::{TextRow, row, write_rows};
 use super::problem_summary::along_axes;
 use super::survey;
 use super::texture::TextureReport;
@@ -23,7 +23,7 @@ use std::path::Path;
 
 /// Fields that a surface takes while it is made, described and written: heights as they are and as given, with trends and windows on and
 /// off, and their spectrum; at most, their autocorrelation on half as many nodes again along both axes.
-const FIELDS: f64 = 12.0;
+const FIELDS_IN_MEMORY: f64 = 12.0;
 
 /// The statistics of a surface as they are printed.
 #[derive(Serialize)]
@@ -110,7 +110,7 @@ impl Described {
         let uneven = even(&mut recipe)?;
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;
-        Cost::from_fields(&grid, FIELDS).check("a surface")?;
+        Cost::from_fields(&grid, FIELDS_IN_MEMORY).check("a surface")?;
         let mut it = describe(recipe, grid, &cell, units)?;
         it.statistics.warnings.extend(uneven);
         Ok(it)
@@ -210,7 +210,8 @@ impl Origin {
         })
     }
 
-    fn rows(&self) -> Vec<(String, String)> {
+    /// Names and values for reading.
+    fn rows(&self) -> Vec<TextRow> {
         let unit = match (self.is_in_metres, self.has_height_unit, self.has_spacing_without_unit) {
             (true, ..) => "metres",
             (false, true, _) => "metres for heights, not given for distances",
@@ -221,11 +222,12 @@ impl Origin {
             [one] => one.clone(),
             all => format!("{}, one of {}: choose with --channel", self.channel, all.join(", ")),
         };
-        let rows = [("format", self.format.to_owned()), ("channel", channel), ("lengths", unit.to_owned())];
-        let rows = rows.map(|(name, value)| (name.to_owned(), value)).into_iter();
-        let unreadable =
-            self.unreadable.iter().map(|(name, why)| ("unreadable channel".into(), format!("{name}: {why}")));
-        rows.chain(unreadable).chain(self.header.clone()).collect()
+        let mut rows = vec![row("format", self.format), row("channel", channel), row("lengths", unit)];
+        for (name, why) in &self.unreadable {
+            rows.push(row("unreadable channel", format!("{name}: {why}")));
+        }
+        rows.extend(self.header.clone());
+        rows
     }
 }
 
@@ -324,15 +326,15 @@ impl Statistics {
         let as_given = |it: &f64| if units.metres { units.length(*it) } else { it.to_string() };
         let size: Vec<String> = self.size.iter().map(as_given).collect();
         let points: Vec<String> = self.points.iter().map(usize::to_string).collect();
-        let rows = [
-            ("points", points.join(" x ")),
-            ("size", size.join(" x ")),
-            ("spacing", along_axes(&self.spacing, |it| units.length(it))),
-            ("voids", self.voids.to_string()),
-            ("rms gradient", self.rms_gradient().map_or("not known".to_owned(), significant)),
+        let mut rows = vec![
+            row("points", points.join(" x ")),
+            row("size", size.join(" x ")),
+            row("spacing", along_axes(&self.spacing, |length| units.length(length))),
+            row("voids", self.voids.to_string()),
+            row("rms gradient", self.rms_gradient().map_or("not known".to_owned(), significant)),
         ];
-        write_rows(rows.map(|(name, value)| (name.to_owned(), value)), out)?;
-        write_rows(self.steps.iter().map(|step| ("prepared".to_owned(), step.to_string())), out)?;
+        rows.extend(self.steps.iter().map(|step| row("prepared", step.to_string())));
+        write_rows(rows, out)?;
         if let Some(whole) = &self.whole {
             writeln!(out, "\nHeights and slopes")?;
             write_rows(whole.rows(units), out)?;
@@ -348,7 +350,7 @@ impl Statistics {
 
 /// The sentence that ends each survey. A smoothed map, a map by a blunt tip and noise of a correlation length of a few nodes all look like a surface,
 /// so that no number can be given for their effect.
-const UNKNOWN: &str = "Heights alone do not tell the radius of the tip, smoothing by the instrument, or noise that is alike at neighbouring nodes: \
+const NOT_TOLD_BY_HEIGHTS: &str = "Heights alone do not tell the radius of the tip, smoothing by the instrument, or noise that is alike at neighbouring nodes: \
      --tip-radius and --repeat tell more";
 
 /// What is wrong with measured heights, and what an automatic preparation would do.
@@ -360,30 +362,39 @@ fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, grid: &Grid, units: Un
         Value::Length(length) => Some(units.length(*length)),
         _ => None,
     };
-    let found = survey.artefacts.iter().map(|it| capital(&it.sentence().in_words(words)));
-    let error =
-        Some(survey.area_error).filter(|it| *it >= Artefacts::TOLD).map(|error| match recipe.prepare.is_none() {
-            true => format!("As they are, areas may be off by up to {:.0} % by what can be mended", 100.0 * error),
-            false => format!("Areas may be off by up to {:.0} % by what the preparation has left", 100.0 * error),
+    let is_as_measured = recipe.prepare.is_none();
+    let mut lines = Vec::new();
+    for artefact in &survey.artefacts {
+        lines.push(capital(&artefact.sentence().in_words(words)));
+    }
+    if survey.area_error >= Artefacts::TOLD {
+        let percent = 100.0 * survey.area_error;
+        lines.push(match is_as_measured {
+            true => format!("As they are, areas may be off by up to {percent:.0} % by what can be mended"),
+            false => format!("Areas may be off by up to {percent:.0} % by what the preparation has left"),
         });
-    let mut lines: Vec<String> = found.chain(error).collect();
+    }
     let choice = PreparationChoice::of_survey(survey, scan, grid.periodic())?;
     if lines.is_empty() && choice.reasons.is_empty() {
         lines.push("No artefacts were found".into());
     }
-    if !recipe.prepare.is_none() {
-        lines.push(UNKNOWN.into());
+    // advice on a preparation is for heights that have none
+    if !is_as_measured {
+        lines.push(NOT_TOLD_BY_HEIGHTS.into());
         return Ok(lines);
     }
     match choice.preparation.is_none() {
         true => lines.push("--prepare auto would leave the heights as they are".into()),
         false => lines.push(format!("--prepare auto would do: {}", choice.preparation.description())),
     }
-    let known: Vec<String> = survey.artefacts.iter().map(|it| it.sentence().to_string()).collect();
-    let reasons = choice.reasons.iter().map(Sentence::to_string);
-    let is_new = |reason: &String| !known.iter().any(|artefact| reason.starts_with(artefact));
-    lines.extend(reasons.filter(is_new).map(|reason| format!("  {reason}")));
-    lines.push(UNKNOWN.into());
+    // the reason for a step that mends an artefact begins with the artefact, which stands above already
+    let known: Vec<String> = survey.artefacts.iter().map(|artefact| artefact.sentence().to_string()).collect();
+    for reason in choice.reasons.iter().map(Sentence::to_string) {
+        if !known.iter().any(|artefact| reason.starts_with(artefact)) {
+            lines.push(format!("  {reason}"));
+        }
+    }
+    lines.push(NOT_TOLD_BY_HEIGHTS.into());
     Ok(lines)
 }
 
@@ -400,31 +411,31 @@ impl HeightStatistics {
         }
     }
 
-    fn rows(&self, units: Units) -> Vec<(String, String)> {
+    /// Names and values for reading.
+    fn rows(&self, units: Units) -> Vec<TextRow> {
         let Roughness { rms_height, rms_gradient, rms_curvature, peak, valley, skewness, kurtosis } = self.roughness;
         let jumps = along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"));
         let cliffs =
             if self.has_cliffs { " (with the cliffs across the period, without which the texture is)" } else { "" };
-        let rows = [
-            ("jump across the period", format!("{jumps} rms steps")),
-            ("rms height", units.length(rms_height)),
-            ("rms gradient", format!("{}{cliffs}", significant(rms_gradient))),
-            (
-                "rms curvature",
-                if units.metres { format!("{rms_curvature:.6e} 1/m") } else { format!("{rms_curvature:.6e}") },
-            ),
-            ("highest peak", units.length(peak)),
-            ("deepest valley", units.length(valley)),
-            ("skewness", significant(skewness)),
-            ("kurtosis", significant(kurtosis)),
+        let curvature_unit = if units.metres { " 1/m" } else { "" };
+        let mut rows = vec![
+            row("jump across the period", format!("{jumps} rms steps")),
+            row("rms height", units.length(rms_height)),
+            row("rms gradient", format!("{}{cliffs}", significant(rms_gradient))),
+            row("rms curvature", format!("{rms_curvature:.6e}{curvature_unit}")),
+            row("highest peak", units.length(peak)),
+            row("deepest valley", units.length(valley)),
+            row("skewness", significant(skewness)),
+            row("kurtosis", significant(kurtosis)),
         ];
-        let heights = self.rank_map.map(|RankMap { rounds, spectrum_error, height_error }| {
-            let told = match spectrum_error > 0.0 {
+        if let Some(RankMap { rounds, spectrum_error, height_error }) = self.rank_map {
+            // one of both is exact after any number of rounds, and the other one comes closer
+            let words = match spectrum_error > 0.0 {
                 true => format!("heights exact, spectrum within {:.2} %", 100.0 * spectrum_error),
                 false => format!("spectrum exact, heights within {:.2} % of the rms height", 100.0 * height_error),
             };
-            ("distribution", format!("{told}, after {rounds} rounds"))
-        });
-        rows.into_iter().chain(heights).map(|(name, value)| (name.to_owned(), value)).collect()
+            rows.push(row("distribution", format!("{words}, after {rounds} rounds")));
+        }
+        rows
     }
 }

@@ -15,11 +15,12 @@ use std::io::{self, Write};
 use std::path::Path;
 
 /// The name of the last row.
-const MEAN: &str = "mean";
+const MEAN_ROW: &str = "mean";
 /// Columns without a mean: an angle, which is the same after half a turn.
-const WITHOUT_MEAN: [&str; 1] = ["std"];
+const COLUMNS_WITHOUT_MEAN: [&str; 1] = ["std"];
 /// The first columns that a person is shown.
-const SHOWN: [(&str, &str); 3] = [("rms_height", "rms height"), ("rms_gradient", "rms gradient"), ("voids", "voids")];
+const PRINTED_COLUMNS: [(&str, &str); 3] =
+    [("rms_height", "rms height"), ("rms_gradient", "rms gradient"), ("voids", "voids")];
 
 /// A row: a name and the numbers of columns in their order, none where one is not defined.
 struct TableRow {
@@ -58,11 +59,11 @@ impl SurfaceTable {
         }
         let mean = |column: &String| {
             let values: Vec<f64> = rows.iter().filter_map(|row| row.find(column)).collect();
-            let is_defined = !values.is_empty() && !WITHOUT_MEAN.contains(&column.as_str());
+            let is_defined = !values.is_empty() && !COLUMNS_WITHOUT_MEAN.contains(&column.as_str());
             is_defined.then(|| values.iter().sum::<f64>() / values.len() as f64)
         };
         let means = columns.iter().map(|column| (column.clone(), mean(column))).collect();
-        rows.push(TableRow { name: MEAN.into(), values: means });
+        rows.push(TableRow { name: MEAN_ROW.into(), values: means });
         let told =
             files.iter().flat_map(|(name, it)| it.warnings.iter().map(move |warning| format!("{name}: {warning}")));
         Ok(Self { columns, warnings: told.collect(), rows, units })
@@ -103,7 +104,7 @@ impl SurfaceTable {
 
     fn print(&self, out: &mut impl Write) -> io::Result<()> {
         let width = self.rows.iter().map(|row| row.name.chars().count()).max().unwrap_or(0).max(4);
-        let titles = SHOWN.map(|(_, title)| format!("{title:>16}")).concat();
+        let titles = PRINTED_COLUMNS.map(|(_, title)| format!("{title:>16}")).concat();
         writeln!(out, "{:width$}{titles}", "file")?;
         for row in &self.rows {
             let cell = |(column, _): (&str, &str)| match row.find(column) {
@@ -111,7 +112,12 @@ impl SurfaceTable {
                 Some(length) if column == "rms_height" => self.units.length(length),
                 Some(value) => significant(value),
             };
-            writeln!(out, "{:width$}{}", row.name, SHOWN.map(|shown| format!("{:>16}", cell(shown))).concat())?;
+            writeln!(
+                out,
+                "{:width$}{}",
+                row.name,
+                PRINTED_COLUMNS.map(|shown| format!("{:>16}", cell(shown))).concat()
+            )?;
         }
         Ok(())
     }

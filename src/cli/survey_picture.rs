@@ -10,15 +10,15 @@ use asperity::surface::{AbbottCurve, Artefacts, Detrend, Survey};
 use std::f64::consts::{PI, TAU};
 
 /// The most tiles of a map along an axis.
-const TILES: usize = 128;
+const MOST_TILES: usize = 128;
 /// Shades of a map, from valleys to peaks.
 const SHADES: usize = 32;
 /// The colours of valleys, of mean heights and of peaks.
 const RAMP: [[f64; 3]; 3] = [[20.0, 50.0, 110.0], [150.0, 170.0, 185.0], [255.0, 240.0, 200.0]];
 /// Densities below this part of the largest one are rounding.
-const ROUNDING: f64 = 1e-12;
+const LEAST_DENSITY: f64 = 1e-12;
 /// The share of the heights beyond the colours at either end, so that a few of them do not hide the rest.
-const BEYOND: f64 = 0.005;
+const CLIPPED_HEIGHTS: f64 = 0.005;
 
 /// The picture of heights, which may be void, and of their survey.
 pub(crate) fn of_survey(title: &str, scan: &Scan, survey: &Survey, units: Units) -> Figure {
@@ -42,7 +42,7 @@ fn artefacts<'a>(scan: &'a Scan, rest: &'a Scan) -> impl Iterator<Item = [usize;
 
 /// Heights of a map above their plane in colours, with its artefacts.
 fn map(scan: &Scan, rest: &Scan, units: Units) -> Panel {
-    let (shape, tiles) = (scan.shape(), scan.shape().map(|n| n.min(TILES)));
+    let (shape, tiles) = (scan.shape(), scan.shape().map(|n| n.min(MOST_TILES)));
     let lengths = [0, 1].map(|axis| shape[axis] as f64 * scan.spacing[axis]);
     let (name, size) = unit(units.metres, &LENGTHS, lengths[1]);
     let [y, x] = lengths.map(|length| length / size);
@@ -50,7 +50,7 @@ fn map(scan: &Scan, rest: &Scan, units: Units) -> Panel {
     let mut heights: Vec<f64> = flat.height.iter().copied().filter(|h| !h.is_nan()).collect();
     heights.sort_unstable_by(f64::total_cmp);
     let at = |share: f64| heights.get((share * (heights.len() as f64 - 1.0)) as usize).copied().unwrap_or(0.0);
-    let [low, high] = [at(BEYOND), at(1.0 - BEYOND)];
+    let [low, high] = [at(CLIPPED_HEIGHTS), at(1.0 - CLIPPED_HEIGHTS)];
     let mut dots = vec![Vec::new(); SHADES];
     for (row, column) in (0..tiles[0]).flat_map(|row| (0..tiles[1]).map(move |column| (row, column))) {
         let node = [row * shape[0] / tiles[0], column * shape[1] / tiles[1]];
@@ -113,7 +113,7 @@ fn spectrum(survey: &Survey, scan: &Scan, units: Units) -> Panel {
     let q = range(dots.iter().map(|it| it.x));
     let [low, high] = range(dots.iter().map(|it| it.y).filter(|it| *it > 0.0));
     // waves that are not there have densities of rounding
-    let density = [low.max(ROUNDING * high), high];
+    let density = [low.max(LEAST_DENSITY * high), high];
     let name = |name: &str, unit: &str| label(name, if units.metres { unit } else { "" });
     let of_density = if scan.is_line() { "m³" } else { "m⁴" };
     let y = Axis::log(name("C", of_density), [0.5 * density[0], 2.0 * density[1]]);

@@ -1,5 +1,6 @@
 //! Spectral moments and parameters of texture, as they are printed.
 
+use super::output::{TextRow, row};
 use super::units::{Units, significant};
 use asperity::surface::{Surface, SurfaceParameter, SurfaceParameters};
 use serde::Serialize;
@@ -35,18 +36,24 @@ impl TextureReport {
     }
 
     /// Rows for reading.
-    pub(crate) fn rows(&self, units: Units) -> Vec<(String, String)> {
-        let taken = ("texture taken as".to_owned(), self.texture_boundary.to_owned());
-        let number = |it: &SurfaceParameter, value: f64| match it.is_length() {
-            true => units.length(value),
-            false => significant(value),
-        };
-        let word = |it: &SurfaceParameter| match (it.value, it.error) {
-            (None, _) => "not within half of the cell".to_owned(),
-            (Some(value), None) => number(it, value),
-            (Some(value), Some(error)) if it.is_length() => format!("{} ± {}", number(it, value), units.length(error)),
-            (Some(value), Some(error)) => format!("{} ± {error:.1e}", number(it, value)),
-        };
-        [taken].into_iter().chain(self.parameters.iter().map(|it| (it.name.clone(), word(it)))).collect()
+    pub(crate) fn rows(&self, units: Units) -> Vec<TextRow> {
+        let mut rows = vec![row("texture taken as", self.texture_boundary)];
+        for parameter in &self.parameters {
+            rows.push(row(&parameter.name, in_words(parameter, units)));
+        }
+        rows
+    }
+}
+
+/// The value of a parameter with its error, if it has one.
+fn in_words(parameter: &SurfaceParameter, units: Units) -> String {
+    // the length of a texture is found inside of the cell or not at all
+    let Some(value) = parameter.value else { return "not within half of the cell".to_owned() };
+    let is_length = parameter.is_length();
+    let words = if is_length { units.length(value) } else { significant(value) };
+    match parameter.error {
+        Some(error) if is_length => format!("{words} ± {}", units.length(error)),
+        Some(error) => format!("{words} ± {error:.1e}"),
+        None => words,
     }
 }

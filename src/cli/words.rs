@@ -3,7 +3,7 @@
 use std::ffi::{OsStr, OsString};
 
 /// Beginnings of numbers in words, besides digits and points.
-const NUMBERS: [&str; 2] = ["inf", "nan"];
+const NUMBER_WORDS: [&str; 2] = ["inf", "nan"];
 
 /// Joins each negative number with the flag before it, such as `--creepage -1e-4` to `--creepage=-1e-4`. The parser would read it as
 /// another flag.
@@ -34,6 +34,6 @@ fn is_negative(word: &OsStr) -> bool {
     let rest = word.to_str().and_then(|word| word.strip_prefix('-'));
     rest.is_some_and(|rest| {
         let is_name = |name: &&str| rest.get(..name.len()).is_some_and(|word| word.eq_ignore_ascii_case(name));
-        rest.starts_with(|c: char| c.is_ascii_digit() || c == '.') || NUMBERS.iter().any(is_name)
+        rest.starts_with(|c: char| c.is_ascii_digit() || c == '.') || NUMBER_WORDS.iter().any(is_name)
     })
 }
