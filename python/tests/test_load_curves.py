@@ -17,6 +17,7 @@ LOADS = [0.01, 0.05, 0.2]
 def test_a_list_of_loads_is_the_curve_of_the_command_line(tmp_path: Path) -> None:
     curve = asp.solve(SURFACE, reduced_pressure=LOADS)
     assert len(curve) == 3 and list(curve.loads) == LOADS and curve.converged
+    assert curve.totals["states"] == 3 and curve.totals["largest_area"] == curve.measures["relative_area"].max()
     assert [contact.measures["reduced_pressure"] for contact in curve] == pytest.approx(LOADS)
     curve.setup.write(tmp_path / "scene.toml")
     command = [sys.executable, "-m", "asperity", "solve", "scene.toml", "--out", "curve.npz"]

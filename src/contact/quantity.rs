@@ -423,12 +423,6 @@ impl Quantity {
         name.parse().ok()
     }
 
-    /// The quantity that estimates the error of this one by the grid, over its value, if there is one. Of the errors of a row it is the one that can be
-    /// computed of any contact: all others belong to the way to a state.
-    pub fn relative_error(self) -> Option<Self> {
-        self.row().errors.iter().filter_map(|name| Self::find(name)).find(|error| !error.row().is_known_by_process)
-    }
-
     /// All quantities, in the order of the table.
     pub fn all() -> impl Iterator<Item = Self> {
         Self::iter()

@@ -238,6 +238,12 @@ impl<'a> From<&'a Step<'_>> for Reading<'a> {
 }
 
 impl Quantity {
+    /// The quantity that estimates the error of this one by the grid, over its value, if there is one. Of the errors of a row it is the one that can be
+    /// computed of any contact: all others belong to the way to a state.
+    pub fn relative_error(self) -> Option<Self> {
+        self.row().errors.iter().filter_map(|name| Self::find(name)).find(|error| !error.row().is_known_by_process)
+    }
+
     /// Whether it says something of a contact that others do not: no overlap where nothing yields, and no modulus of a motion at rest. A number that only
     /// a process knows is there if the contact is a state of it.
     pub fn tells_of(self, contact: &Contact) -> bool {

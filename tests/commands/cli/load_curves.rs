@@ -63,6 +63,23 @@ fn a_load_curve_of_which_one_does_not_converge_ends_with_3() {
     assert_eq!(std::fs::read_to_string(folder.join("curve.csv")).unwrap().matches("iteration-cap").count(), 2);
 }
 
+/// The solution of a sine is that of the periodic cell; that of a sphere stands alone, and its neighbours press the solid down beside it.
+#[test]
+fn a_load_curve_on_an_indenter_has_the_exact_area_beside_it() {
+    let folder = Folder::new();
+    for (indenter, heading, tolerance) in [
+        ("sine --amplitude 0.01 --size 1 --points 512", "exact area", 0.01),
+        ("sphere --radius 1 --size 1,1 --points 64,64", "area without neighbouring cells", 0.05),
+    ] {
+        let run = format!("solve --indenter {indenter} --modulus 1 --pressure 1e-3,2e-3");
+        let printed = folder.run(&run);
+        assert!(text(&printed.stdout).contains(&format!("   {heading}\n")), "{}", text(&printed.stdout));
+        for state in json(&folder.run(&format!("{run} --json")))["states"].as_array().unwrap() {
+            assert_close(number(state, "relative_area"), number(&state["exact"], "relative_area"), tolerance, indenter);
+        }
+    }
+}
+
 #[cfg(feature = "record")]
 #[test]
 fn a_load_curve_is_recorded_over_its_loads() {
