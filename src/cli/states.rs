@@ -23,6 +23,7 @@ pub(crate) fn write(mut solved: Solved, problem: &Problem, outputs: &Outputs, un
     if solved == 0 {
         return Err(Interrupted.into());
     }
+    let is_list = outcome.drive.is_list;
     let counted = counted(solved, setup.loads.len());
     // the setup that is saved repeats what was solved
     setup.loads.truncate(solved);
@@ -32,15 +33,18 @@ pub(crate) fn write(mut solved: Solved, problem: &Problem, outputs: &Outputs, un
     let has_failed = failure.is_some_and(|error| !matches!(error, HistoryError::Slip(SlipError::Sliding { .. })));
     warnings.extend(failure.map(|error| format!("The history ended after {counted}: {error}")));
     warnings::refuse_if_strict(&warnings, outputs.strict)?;
-    let faults: Vec<&String> = outcome.rows.iter().filter_map(|row| row.fault.as_ref()).collect();
-    let is_converged = faults.is_empty();
-    if outcome.drive.is_list {
-        warnings.extend(faults.into_iter().cloned());
+    let is_converged = outcome.rows.iter().all(|row| row.fault.is_none());
+    // of a history one warning says how many states missed their goal
+    if is_list {
+        for (number, row) in outcome.rows.iter().enumerate() {
+            warnings.extend(row.fault.as_ref().map(|fault| format!("{fault} (load {})", number + 1)));
+        }
     }
     let mut report = StatesReport::new(setup, problem, outcome, warnings, units)?;
     report::deliver(&report, outputs)?;
     if is_stopped {
-        warnings::print(&[format!("interrupted: {counted} solved and written")]);
+        let loads = if is_list { "; the saved setup has these loads" } else { "" };
+        warnings::print(&[format!("interrupted: {counted} solved and written{loads}")]);
     }
     if let Some(failure) = report.outcome.failure.take() {
         return Err(failure.into());

@@ -134,8 +134,8 @@ impl StatesReport {
         })
     }
 
-    /// The columns of the table for reading: what the drive shows and what flows, as far as some state has it, with the area of the exact solution and
-    /// the claims where there are any.
+    /// The columns of the table for reading: what the drive shows and what flows, as far as some state has it, with the area of the exact
+    /// solution, how the solver stopped where it has missed a goal, and the claims, where there are any.
     fn columns(&self) -> Vec<WordColumn> {
         let Self { outcome, units, .. } = self;
         let mut columns = Vec::new();
@@ -146,6 +146,10 @@ impl StatesReport {
             }
         }
         columns.extend(self.exact_areas());
+        if outcome.rows.iter().any(|row| row.fault.is_some()) {
+            let words = outcome.rows.iter().map(|row| row.status.name().to_owned()).collect();
+            columns.push(WordColumn { heading: "status", words });
+        }
         if outcome.drive.has_claims {
             let words = outcome.rows.iter().map(|row| <&str>::from(row.claim).to_owned()).collect();
             columns.push(WordColumn { heading: "claim", words });
@@ -329,6 +333,9 @@ fn is_shown(quantity: Quantity, rows: &[StateRow]) -> bool {
 fn cell(quantity: Quantity, state: &StateRow, units: Units) -> String {
     let Some(value) = state.resolved(quantity) else { return "-".into() };
     let row = quantity.row();
+    if let (Quantity::ConductancePerArea, Some(unit)) = (quantity, units.conductance) {
+        return format!("{} {unit}", number_in_words(value));
+    }
     match row.unit {
         Unit::Length => units.length(value),
         Unit::Pressure => units.pressure(value),

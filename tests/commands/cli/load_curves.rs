@@ -56,7 +56,9 @@ fn a_load_curve_of_which_one_does_not_converge_ends_with_3() {
     let run = format!("solve {ROUGH_LINE} --reduced-pressure 0.01,0.1 --max-iterations 2 --out curve.csv");
     let output = folder.run(&run);
     assert_eq!(output.status.code(), Some(3));
-    assert!(text(&output.stderr).contains("warning: not converged"));
+    let said = text(&output.stderr);
+    assert!(said.contains("warning: not converged") && said.contains(" (load 2)"), "{said}");
+    assert!(text(&output.stdout).matches("iteration-cap").count() == 2, "{}", text(&output.stdout));
     let told = folder.run(&format!("{run} --json"));
     assert_eq!(json(&told)["warnings"], serde_json::json!(warnings::warnings(&told)));
     assert!(json(&told)["states"].as_array().unwrap().iter().all(|load| load["claim"] == "not-converged"));
