@@ -74,8 +74,8 @@ impl ClaimReport {
         if self.holds {
             return rows;
         }
-        // A wrong load is told with both pressures, which says more than the sentence of the mistake. Where other mistakes explain the result, a load
-        // that differs is their consequence.
+        // For a wrong load, both pressures are printed in place of the general sentence about it. If other mistakes explain the result, the load is not
+        // mentioned: it differs because of them.
         if let Some(load) = self.other_load()
             && (self.findings.is_empty() || self.findings.iter().any(is_load))
         {

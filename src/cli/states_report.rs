@@ -37,7 +37,7 @@ pub(crate) struct StatesReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     adhesion: Option<AdhesionOutcome>,
     states: Vec<Map<String, Value>>,
-    /// What the states add up to, by the names of the quantities.
+    /// Totals over all states, such as the largest area and the number of transforms, by the names of their quantities.
     totals: Map<String, Value>,
     /// Energy lost in each closed cycle of the path, per area of the cell.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -177,7 +177,7 @@ impl StatesReport {
     /// Writes the largest errors of all states by their sources, where they were estimated.
     fn write_errors(&self, out: &mut dyn Write) -> io::Result<()> {
         let mut lines = Vec::new();
-        // the only relative one among them
+        // This error is relative, and is printed in percent. All others are in the unit of their quantity.
         let errors = self.outcome.rows.iter().filter_map(|row| row.get(Quantity::PressureInContactError));
         if let Some(error) = errors.reduce(f64::max) {
             lines.push(format!("largest estimated error of p_m / Y by the grid: {:.1} %", 1e2 * error));
@@ -333,6 +333,7 @@ fn is_shown(quantity: Quantity, rows: &[StateRow]) -> bool {
 fn cell(quantity: Quantity, state: &StateRow, units: Units) -> String {
     let Some(value) = state.resolved(quantity) else { return "-".into() };
     let row = quantity.row();
+    // the unit of a conductance is that of the resistivities in the scene, and not one of the table of quantities
     if let (Quantity::ConductancePerArea, Some(unit)) = (quantity, units.conductance) {
         return format!("{} {unit}", number_in_words(value));
     }
